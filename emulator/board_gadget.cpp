@@ -91,7 +91,7 @@ std::string BoardGadget::status() const {
                      current[0], current[1], current[2], peak_a, frames_in_, frames_out_, lost());
 }
 
-StrangerGadget::StrangerGadget(const std::string& serial)
+OtherDeviceGadget::OtherDeviceGadget(const std::string& serial)
     : Gadget({kBoardVendor,
               kBoardProduct,
               "Somebody",

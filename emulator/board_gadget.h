@@ -54,9 +54,9 @@ class BoardGadget : public Gadget {
 };
 
 /// A different device with the ids of a board, which are public test ids.
-class StrangerGadget : public Gadget {
+class OtherDeviceGadget : public Gadget {
  public:
-  explicit StrangerGadget(const std::string& serial);
+  explicit OtherDeviceGadget(const std::string& serial);
   void step() override {}
   std::string status() const override { return "{}"; }
 

@@ -50,7 +50,7 @@ std::unique_ptr<Gadget> make(const std::string& kind, GadgetSpec spec) {
     if (!spec.started) spec.board.board.start_c = spec.board.board.ambient_c;
     return std::make_unique<BoardGadget>(spec.board);
   }
-  if (kind == "stranger") return std::make_unique<StrangerGadget>(serial("X1"));
+  if (kind == "stranger") return std::make_unique<OtherDeviceGadget>(serial("X1"));
   if (kind == "mti") return std::make_unique<MtiGadget>(serial("0368248C"));
   if (kind == "hid-sensor") return std::make_unique<HidSensorGadget>(serial("H1"));
   if (kind == "dualsense") return std::make_unique<PadGadget>(serial("P1"));

@@ -69,12 +69,12 @@ class MdnsResponder {
   void serve() {
     std::array<char, 1500> query{};
     for (;;) {
-      Udp::endpoint asked_by;
-      if (socket_.receive_from(boost::asio::buffer(query), asked_by) == 0) return;
+      Udp::endpoint sender;
+      if (socket_.receive_from(boost::asio::buffer(query), sender) == 0) return;
       if (response_.empty()) continue;
       is_released_.wait(false);
       response_.replace(0, 2, query.data(), 2);
-      socket_.send_to(boost::asio::buffer(response_), asked_by);
+      socket_.send_to(boost::asio::buffer(response_), sender);
     }
   }
 

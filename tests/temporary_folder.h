@@ -52,10 +52,10 @@ class TemporaryFolder {
   }
   /// Creates missing parent folders. Returns the path.
   std::string write(const std::string& below, const std::string& text) const {
-    std::string whole = path(below);
-    std::filesystem::create_directories(std::filesystem::path(whole).parent_path());
-    std::ofstream(whole, std::ios::binary) << text;
-    return whole;
+    std::string file_path = path(below);
+    std::filesystem::create_directories(std::filesystem::path(file_path).parent_path());
+    std::ofstream(file_path, std::ios::binary) << text;
+    return file_path;
   }
 
  private:

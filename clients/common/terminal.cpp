@@ -113,7 +113,7 @@ void Terminal::take_in() {
   typed_at_ = {};
 }
 
-void Terminal::forget() {
+void Terminal::discard_keys() {
   take_in();
   typed_.clear();
 }

@@ -64,7 +64,7 @@ class Terminal {
   /// Reads the keys typed so far; their time is the clock's epoch.
   void take_in();
   /// Discards the keys typed so far.
-  void forget();
+  void discard_keys();
 
  private:
   bool read_more(std::chrono::milliseconds timeout);

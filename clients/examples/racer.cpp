@@ -27,7 +27,7 @@ constexpr double kApartS = 0.25;
 constexpr int kEngine = 3;
 constexpr int kGear = 4;
 constexpr int kSkid = 5;
-constexpr int kBlow = 7;
+constexpr int kImpactPriority = 7;
 constexpr int kFrames = 180;
 constexpr double kRateHz = 60.0;
 
@@ -45,8 +45,8 @@ class CarFeel {
   /// Once a frame, before anything else.
   void frame() {
     ball_.update();
-    while (auto reply = ball_.answer()) {
-      ++answered_;
+    while (auto reply = ball_.response()) {
+      ++responses_;
       if (reply->result) continue;
       ++refused_;
       std::printf("not felt: %s\n", reply->result.error().message.c_str());
@@ -70,17 +70,17 @@ class CarFeel {
   void gear() { pulse(Word::kBack, 1, 40, kGear); }
 
   /// The car was hit on that side, or landed; its step, or -1 when it is too soon to be felt.
-  int blow(const protocol::Direction& side, double impulse_n_s, double time_s) {
+  int impact(const protocol::Direction& side, double impulse_n_s, double time_s) {
     const int step = step_of(impulse_n_s);
     if (time_s - last_s_ < kApartS && step <= last_step_) return -1;
     last_step_ = step;
     last_s_ = time_s;
-    pulse(side, step, 180, kBlow);
+    pulse(side, step, 180, kImpactPriority);
     return step;
   }
 
-  bool answered() const { return answered_ == asked_; }
-  bool felt() const { return asked_ > 0 && refused_ == 0; }
+  bool all_answered() const { return responses_ == sent_; }
+  bool felt() const { return sent_ > 0 && refused_ == 0; }
 
  private:
   void pulse(const protocol::Direction& side, int step, int duration_ms, int priority) {
@@ -91,30 +91,30 @@ class CarFeel {
                                        .current_a = current_a,
                                        .duration_ms = duration_ms,
                                        .priority = priority};
-    if (ball_.ask(protocol::EffectStart{model::EffectMethod::kPulse, pulse})) ++asked_;
+    if (ball_.request(protocol::EffectStart{model::EffectMethod::kPulse, pulse})) ++sent_;
   }
 
   Ball& ball_;
   int last_step_ = -1;
   double last_s_ = -kApartS;
-  int asked_ = 0;
-  int answered_ = 0;
+  int sent_ = 0;
+  int responses_ = 0;
   int refused_ = 0;
 };
 
 void play_frame(CarFeel& feel, int frame) {
   const double time_s = frame / kRateHz;
-  const auto blow = [&](const char* what, const protocol::Direction& side, double impulse_n_s) {
-    std::printf("%.2f s  %s: step %d\n", time_s, what, feel.blow(side, impulse_n_s, time_s));
+  const auto impact = [&](const char* what, const protocol::Direction& side, double impulse_n_s) {
+    std::printf("%.2f s  %s: step %d\n", time_s, what, feel.impact(side, impulse_n_s, time_s));
   };
   if (frame == 30 || frame == 60) {
     feel.gear();
     std::printf("%.2f s  gear\n", time_s);
   }
   if (frame > 60 && frame < 90) feel.skid((frame - 60) / 30.0);
-  if (frame == 100) blow("wall", model::Vec3{0.7, -0.7, 0.0}, 5000.0);
-  if (frame == 105) blow("crate", Word::kLeft, 300.0);
-  if (frame == 150) blow("landing", Word::kDown, 2500.0);
+  if (frame == 100) impact("wall", model::Vec3{0.7, -0.7, 0.0}, 5000.0);
+  if (frame == 105) impact("crate", Word::kLeft, 300.0);
+  if (frame == 150) impact("landing", Word::kDown, 2500.0);
   feel.engine((frame % 60) / 60.0, 1.0);
 }
 
@@ -127,7 +127,7 @@ int main() {
     return 69;
   }
   CarFeel feel(*ball);
-  for (int frame = 0; frame < kFrames || !feel.answered(); ++frame) {
+  for (int frame = 0; frame < kFrames || !feel.all_answered(); ++frame) {
     feel.frame();
     if (frame < kFrames) play_frame(feel, frame);
     if (!ball->connected()) {

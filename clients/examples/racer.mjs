@@ -12,7 +12,7 @@ const HARDEST_BLOW = 8000;
 // One blow in 0.25 s, unless a harder one comes.
 const APART_S = 0.25;
 // Of two effects only the one of higher priority is felt; of the same, both.
-const PRIORITY = { engine: 3, gear: 4, skid: 5, blow: 7 };
+const PRIORITY = { engine: 3, gear: 4, skid: 5, impact: 7 };
 const FRAMES = 180;
 const RATE_HZ = 60;
 
@@ -54,12 +54,12 @@ class CarFeel {
   }
 
   /** The car was hit on that side, or landed; its step, or -1 when it is too soon to be felt. */
-  blow(side, impulseNs, timeS) {
+  impact(side, impulseNs, timeS) {
     const step = stepOf(impulseNs);
     if (timeS - this.#lastS < APART_S && step <= this.#lastStep) return -1;
     this.#lastStep = step;
     this.#lastS = timeS;
-    this.#pulse(side, step, 180, PRIORITY.blow);
+    this.#pulse(side, step, 180, PRIORITY.impact);
     return step;
   }
 
@@ -79,7 +79,7 @@ function playFrame(feel, frame) {
   }
   if (frame > 60 && frame < 90) feel.skid((frame - 60) / 30);
   const [what, side, impulseNs] = HAPPENINGS.get(frame) ?? [];
-  if (what) console.log(`${timeS.toFixed(2)} s  ${what}: step ${feel.blow(side, impulseNs, timeS)}`);
+  if (what) console.log(`${timeS.toFixed(2)} s  ${what}: step ${feel.impact(side, impulseNs, timeS)}`);
   return feel.engine((frame % 60) / 60, 1);
 }
 

@@ -51,7 +51,7 @@ class CarFeel:
         """The clutch has closed: a knock from behind."""
         self._pulse("back", 1, 40, GEAR)
 
-    def blow(self, side: Direction, impulse_n_s: float, time_s: float) -> int:
+    def impact(self, side: Direction, impulse_n_s: float, time_s: float) -> int:
         """The car was hit on that side, or landed; its step, or -1 when it is too soon to be felt."""
         step = step_of(impulse_n_s)
         if time_s - self._last_s < APART_S and step <= self._last_step:
@@ -75,7 +75,7 @@ def play_frame(feel: CarFeel, frame: int) -> bool:
         feel.skid((frame - 60) / 30)
     for at, what, side, impulse_n_s in BLOWS:
         if frame == at:
-            print("%.2f s  %s: step %d" % (time_s, what, feel.blow(side, impulse_n_s, time_s)))
+            print("%.2f s  %s: step %d" % (time_s, what, feel.impact(side, impulse_n_s, time_s)))
     return feel.engine(frame % 60 / 60, 1.0)
 
 

@@ -131,14 +131,14 @@ Outcome<void> Bridge::connect() {
 
 Outcome<void> Bridge::exchange() {
   for (const protocol::Request& request : player_.take_requests())
-    if (auto asked = connection_->ask(request, kSendTimeout); !asked) return asked.error();
+    if (auto sent = connection_->request(request, kSendTimeout); !sent) return sent.error();
   for (;;) {
     auto notification = connection_->next(Milliseconds(0));
     if (!notification) return notification.error();
-    while (const auto answer = connection_->answer()) {
+    while (const auto response = connection_->response()) {
       // An effect may have ended just before its renewal or stop arrived.
-      if (!answer->result && answer->result.error().code != protocol::ErrorCode::kNoSuchEffect)
-        report_once("the daemon refuses an effect: " + answer->result.error().message);
+      if (!response->result && response->result.error().code != protocol::ErrorCode::kNoSuchEffect)
+        report_once("the daemon refuses an effect: " + response->result.error().message);
     }
     if (!*notification) return {};
     take(**notification);

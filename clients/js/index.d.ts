@@ -10,7 +10,7 @@ export interface Options {
   /** Of this program, as the daemon's log shows it. */
   name?: string;
   /** The longest that connecting, and waiting for a response, take. 2000. */
-  patienceMs?: number;
+  timeoutMs?: number;
   /** Of roles beyond those of this machine; in Node.js else HEDGEHOG_TOKEN. */
   token?: string;
   /** In Node.js, of the daemon's certificate with "tls://" and "mdns://"; else HEDGEHOG_FINGERPRINT. */

@@ -36,7 +36,7 @@ client::Outcome<Ball> Ball::connect(BallOptions options) {
 client::Milliseconds Ball::retry_after() const { return left_until(next_attempt_); }
 
 void Ball::update() {
-  if (stage_ == Stage::kAway && client::Clock::now() >= next_attempt_) start_attempt();
+  if (stage_ == Stage::kDisconnected && client::Clock::now() >= next_attempt_) start_attempt();
   if (stage_ == Stage::kSearching) poll_search({});
   if (stage_ == Stage::kConnecting) poll_connection({});
   for (int lines = 0; lines < kLinesPerFrame && stage_ > Stage::kConnecting; ++lines)
@@ -46,7 +46,7 @@ void Ball::update() {
 
 void Ball::start_attempt() {
   next_address_ = 0;
-  tried_.clear();
+  attempt_errors_.clear();
   if (client::needs_search(addresses_)) {
     search_.emplace(addresses_);
     stage_ = Stage::kSearching;
@@ -61,7 +61,7 @@ void Ball::poll_search(client::Clock::time_point deadline) {
   if (!located) return;
   search_.reset();
   if (!*located) {
-    stay_away(located->error().failure, located->error().message);
+    fail_attempt(located->error().failure, located->error().message);
     return;
   }
   located_ = *std::move(*located);
@@ -74,81 +74,81 @@ void Ball::start_next_address() {
     if (started) {
       connection_ = *std::move(started);
       stage_ = Stage::kConnecting;
-      due_ = client::Clock::now() + options_.patience;
+      due_ = client::Clock::now() + options_.timeout;
       return;
     }
-    tried_ += (tried_.empty() ? "" : "; ") + to_string(located_[next_address_++]) + ": " +
-              started.error().message;
+    attempt_errors_ += (attempt_errors_.empty() ? "" : "; ") +
+                       to_string(located_[next_address_++]) + ": " + started.error().message;
   }
   connection_.reset();
-  stay_away(client::Failure::kNoDaemon, "the daemon does not run: " + tried_);
+  fail_attempt(client::Failure::kNoDaemon, "the daemon does not run: " + attempt_errors_);
 }
 
 void Ball::poll_connection(client::Clock::time_point deadline) {
   const auto connected = connection_->connected(deadline);
   if (connected && *connected) {
-    introduce();
+    send_hello();
     return;
   }
   if (connected && client::Clock::now() < due_) return;
-  tried_ += (tried_.empty() ? "" : "; ") + to_string(located_[next_address_++]) + ": " +
-            (connected ? "no answer" : connected.error().message);
+  attempt_errors_ += (attempt_errors_.empty() ? "" : "; ") + to_string(located_[next_address_++]) +
+                     ": " + (connected ? "no answer" : connected.error().message);
   start_next_address();
 }
 
-void Ball::introduce() {
-  stage_ = Stage::kIntroducing;
+void Ball::send_hello() {
+  stage_ = Stage::kHello;
   notice_.clear();
   const auto& token = options_.token ? options_.token : connection_->address().token;
-  auto asked = connection_->ask(protocol::Hello{options_.name, "1.0", token}, kNow);
-  if (!asked) {
-    lose(asked.error());
+  auto sent = connection_->request(protocol::Hello{options_.name, "1.0", token}, kNow);
+  if (!sent) {
+    end_connection(sent.error());
     return;
   }
-  introduction_ = *asked;
-  asked_.push_back({*std::move(asked), client::Clock::now() + options_.patience});
+  hello_id_ = *sent;
+  pending_.push_back({*std::move(sent), client::Clock::now() + options_.timeout});
 }
 
-bool Ball::receive(client::Milliseconds patience) {
-  const auto received = connection_->receive(patience);
+bool Ball::receive(client::Milliseconds timeout) {
+  const auto received = connection_->receive(timeout);
   if (!received && received.error().failure == client::Failure::kRefused) {
     notice_ = received.error().message;
     return true;
   }
   if (!received) {
-    lose(received.error());
+    end_connection(received.error());
     return false;
   }
   while (auto notification = connection_->notification()) {
-    if (notifications_.size() >= kMaxWaiting) notifications_.pop_front();
+    if (notifications_.size() >= kMaxUnread) notifications_.pop_front();
     notifications_.push_back(*std::move(notification));
   }
   while (connection_) {
-    auto reply = connection_->answer();
+    auto reply = connection_->response();
     if (!reply) break;
-    take(*std::move(reply));
+    handle_reply(*std::move(reply));
   }
   return *received && connection_.has_value();
 }
 
-void Ball::take(protocol::Reply reply) {
-  std::erase_if(asked_, [&](const Asked& one) { return one.id == reply.id; });
-  if (reply.id != introduction_) {
-    const auto ended = subscriptions_.answered(reply.id, reply.result.has_value());
-    if (ended) keep_refusal(*ended, reply.result.error());
+void Ball::handle_reply(protocol::Reply reply) {
+  std::erase_if(pending_, [&](const PendingRequest& one) { return one.id == reply.id; });
+  if (reply.id != hello_id_) {
+    const auto ended = subscriptions_.on_response(reply.id, reply.result.has_value());
+    if (ended) record_refused_renewal(*ended, reply.result.error());
     if (std::erase(renewals_, reply.id) > 0) return;
-    if (answers_.size() >= kMaxWaiting) answers_.pop_front();
-    answers_.push_back(std::move(reply));
+    if (responses_.size() >= kMaxUnread) responses_.pop_front();
+    responses_.push_back(std::move(reply));
     return;
   }
-  introduction_.reset();
+  hello_id_.reset();
   if (!reply.result) {
-    lose({client::Failure::kRefused, reply.result.error().message, reply.result.error()});
+    end_connection({client::Failure::kRefused, reply.result.error().message, reply.result.error()});
     return;
   }
   auto hello = protocol::decode_result<protocol::HelloResult>(*reply.result);
   if (!hello) {
-    lose({client::Failure::kProtocol, hello.error().message, {}});
+    end_connection({client::Failure::kProtocol, hello.error().message, {}});
     return;
   }
   hello_ = *std::move(hello);
@@ -160,14 +160,15 @@ void Ball::take(protocol::Reply reply) {
 }
 
 void Ball::expire() {
-  if (asked_.empty() || client::Clock::now() < asked_.front().deadline) return;
-  lose({client::Failure::kTimeout, "no response within " + seconds(options_.patience), {}});
+  if (pending_.empty() || client::Clock::now() < pending_.front().deadline) return;
+  end_connection(
+      {client::Failure::kTimeout, "no response within " + seconds(options_.timeout), {}});
 }
 
-std::optional<protocol::Reply> Ball::answer() {
-  if (answers_.empty()) return std::nullopt;
-  std::optional<protocol::Reply> oldest = std::move(answers_.front());
-  answers_.pop_front();
+std::optional<protocol::Reply> Ball::response() {
+  if (responses_.empty()) return std::nullopt;
+  std::optional<protocol::Reply> oldest = std::move(responses_.front());
+  responses_.pop_front();
   return oldest;
 }
 
@@ -180,7 +181,7 @@ std::optional<client::Notification> Ball::next() {
 
 client::Outcome<void> Ball::open() {
   if (connected()) return {};
-  if (const auto wait = retry_after(); stage_ == Stage::kAway && wait > kNow) {
+  if (const auto wait = retry_after(); stage_ == Stage::kDisconnected && wait > kNow) {
     return client::ClientError{client::Failure::kNoDaemon,
                                "the daemon does not run; next attempt in " + seconds(wait),
                                {}};
@@ -189,8 +190,8 @@ client::Outcome<void> Ball::open() {
   update();
   while (stage_ == Stage::kSearching) poll_search(client::Clock::now() + client::kSearchTime);
   while (stage_ == Stage::kConnecting) poll_connection(due_);
-  while (stage_ == Stage::kIntroducing) {
-    receive(left_until(asked_.front().deadline));
+  while (stage_ == Stage::kHello) {
+    receive(left_until(pending_.front().deadline));
     expire();
   }
   if (connected()) return {};
@@ -203,13 +204,13 @@ client::Outcome<std::string> Ball::call_raw(std::string_view method, std::string
 
 client::Outcome<std::string> Ball::exchange(const client::AnyRequest& request) {
   if (auto opened = open(); !opened) return opened.error();
-  const auto asked = send(request);
-  if (!asked) return asked.error();
-  subscriptions_.asked(*asked, request);
-  const auto deadline = asked_.back().deadline;
+  const auto sent = send(request);
+  if (!sent) return sent.error();
+  subscriptions_.on_request(*sent, request);
+  const auto deadline = pending_.back().deadline;
   while (connected()) {
     receive(left_until(deadline));
-    if (auto reply = take_answer(*asked)) {
+    if (auto reply = take_response(*sent)) {
       if (reply->result) return *std::move(reply->result);
       return client::ClientError{client::Failure::kRefused, reply->result.error().message,
                                  reply->result.error()};
@@ -219,17 +220,17 @@ client::Outcome<std::string> Ball::exchange(const client::AnyRequest& request) {
   return *failure_;
 }
 
-std::optional<protocol::Reply> Ball::take_answer(const protocol::Id& id) {
-  const auto found = std::find_if(answers_.begin(), answers_.end(),
+std::optional<protocol::Reply> Ball::take_response(const protocol::Id& id) {
+  const auto found = std::find_if(responses_.begin(), responses_.end(),
                                   [&](const protocol::Reply& one) { return one.id == id; });
-  if (found == answers_.end()) return std::nullopt;
+  if (found == responses_.end()) return std::nullopt;
   std::optional<protocol::Reply> reply = std::move(*found);
-  answers_.erase(found);
+  responses_.erase(found);
   return reply;
 }
 
-client::Outcome<std::optional<client::Notification>> Ball::next(client::Milliseconds patience) {
-  const auto deadline = client::Clock::now() + patience;
+client::Outcome<std::optional<client::Notification>> Ball::next(client::Milliseconds timeout) {
+  const auto deadline = client::Clock::now() + timeout;
   while (notifications_.empty()) {
     if (auto opened = open(); !opened) return opened.error();
     if (!receive(left_until(deadline))) {
@@ -240,24 +241,24 @@ client::Outcome<std::optional<client::Notification>> Ball::next(client::Millisec
   return next();
 }
 
-bool Ball::keep(const client::Outcome<void>& sent) {
+bool Ball::check_sent(const client::Outcome<void>& sent) {
   if (sent) return true;
   // A request that is too long is the caller's error; the connection stays open.
-  if (sent.error().failure != client::Failure::kProtocol) lose(sent.error());
+  if (sent.error().failure != client::Failure::kProtocol) end_connection(sent.error());
   return false;
 }
 
-client::ClientError Ball::lose(const client::ClientError& why) {
-  const bool introduced = stage_ == Stage::kConnected;
+client::ClientError Ball::end_connection(const client::ClientError& why) {
+  const bool was_connected = stage_ == Stage::kConnected;
   connection_.reset();
-  asked_.clear();
+  pending_.clear();
   // The ids of requests start anew with the next connection.
-  answers_.clear();
+  responses_.clear();
   renewals_.clear();
-  subscriptions_.connection_lost();
-  introduction_.reset();
-  if (why.failure == client::Failure::kRefused && !introduced) {
-    auto refused = stay_away(client::Failure::kRefused, why.message);
+  subscriptions_.on_connection_lost();
+  hello_id_.reset();
+  if (why.failure == client::Failure::kRefused && !was_connected) {
+    auto refused = fail_attempt(client::Failure::kRefused, why.message);
     failure_->refusal = why.refusal;
     return refused;
   }
@@ -265,11 +266,11 @@ client::ClientError Ball::lose(const client::ClientError& why) {
   if (why.failure == client::Failure::kProtocol)
     reason = "what answers is no Hedgehog daemon: " + reason;
   if (!notice_.empty()) reason += " (it said: " + notice_ + ")";
-  return stay_away(why.failure, "the connection to the daemon has ended: " + reason);
+  return fail_attempt(why.failure, "the connection to the daemon has ended: " + reason);
 }
 
-client::ClientError Ball::stay_away(client::Failure failure, std::string problem) {
-  stage_ = Stage::kAway;
+client::ClientError Ball::fail_attempt(client::Failure failure, std::string problem) {
+  stage_ = Stage::kDisconnected;
   next_attempt_ = client::Clock::now() + backoff_.next();
   failure_ = client::ClientError{failure, std::move(problem), {}};
   return *failure_;

@@ -27,7 +27,7 @@ struct BallOptions {
   /// For roles beyond the default of this machine; nullopt: that of the address (HEDGEHOG_TOKEN).
   std::optional<std::string> token{};
   /// Timeout of connecting and of a response.
-  client::Milliseconds patience = client::response_timeout();
+  client::Milliseconds timeout = client::response_timeout();
 };
 
 /// `strength` 0..1 of a game as a level: 0 stays 0 (and NaN is 0); values above 0 start at the
@@ -35,7 +35,7 @@ struct BallOptions {
 double felt_level(double strength, const protocol::HelloLimits& limits) noexcept;
 
 /// One thread at a time; starts none. Only `connect`, `open`, `call`, `call_raw` and the effects
-/// that return an admission block, for `patience` at most; everything else returns at once (except
+/// that return an admission block, for `timeout` at most; everything else returns at once (except
 /// the look-up of a host name, which may take longer: games should use numeric addresses or
 /// mdns://NAME).
 ///
@@ -49,7 +49,7 @@ class Ball {
   /// Lease of a rumble since its last frame: a game that hangs releases the ball.
   static constexpr std::int64_t kRumbleLeaseMs = 250;
   /// Limit of unread notifications; the oldest are dropped.
-  static constexpr std::size_t kMaxWaiting = 10'000;
+  static constexpr std::size_t kMaxUnread = 10'000;
   /// Limit of unread refused renewals; the oldest are dropped.
   static constexpr std::size_t kMaxRefused = 16;
 
@@ -81,14 +81,14 @@ class Ball {
   /// Sends a notification, which has no response. False: nothing was sent.
   bool notify(const protocol::Request& request);
   /// The same for any method; `params_json` is an object or empty. A subscription is renewed on the
-  /// next connection only if this library supports its parameters; with `ask_raw`, if the daemon
-  /// accepts it.
+  /// next connection only if this library supports its parameters; with `request_raw`, if the
+  /// daemon accepts it.
   bool notify_raw(std::string_view method, std::string_view params_json);
-  /// Sends a request; `answer` returns the response some frames later. nullopt: nothing was sent.
-  std::optional<protocol::Id> ask(const protocol::Request& request);
-  std::optional<protocol::Id> ask_raw(std::string_view method, std::string_view params_json);
-  /// The oldest response to an `ask`.
-  std::optional<protocol::Reply> answer();
+  /// Sends a request; `response` returns the response some frames later. nullopt: nothing was sent.
+  std::optional<protocol::Id> request(const protocol::Request& request);
+  std::optional<protocol::Id> request_raw(std::string_view method, std::string_view params_json);
+  /// The oldest response to a `request`.
+  std::optional<protocol::Reply> response();
   /// The oldest subscription that the daemon refused to renew on a new connection (another version,
   /// another role): kRefused, "events.subscribe: ...". The subscription has ended. At most one of
   /// each kind per connection is kept, `kMaxRefused` in all.
@@ -109,8 +109,8 @@ class Ball {
   }
   /// The same for any method; the result is the JSON text that the daemon sent.
   client::Outcome<std::string> call_raw(std::string_view method, std::string_view params_json);
-  /// Reads until a notification is received, `patience` at most; returns as `next`.
-  client::Outcome<std::optional<client::Notification>> next(client::Milliseconds patience);
+  /// Reads until a notification is received, `timeout` at most; returns as `next`.
+  client::Outcome<std::optional<client::Notification>> next(client::Milliseconds timeout);
 
   /// Effects, with the daemon's admission. Blocking.
   using Admitted = client::Outcome<protocol::Admission>;
@@ -121,8 +121,8 @@ class Ball {
   Admitted play(std::string pattern, protocol::EffectParams others = {});
 
  private:
-  enum class Stage : std::uint8_t { kAway, kSearching, kConnecting, kIntroducing, kConnected };
-  struct Asked {
+  enum class Stage : std::uint8_t { kDisconnected, kSearching, kConnecting, kHello, kConnected };
+  struct PendingRequest {
     protocol::Id id;
     client::Clock::time_point deadline;
   };
@@ -134,41 +134,41 @@ class Ball {
   void start_next_address();
   /// Blocks until `deadline` at most.
   void poll_connection(client::Clock::time_point deadline);
-  void introduce();
-  /// Queues the messages of one line; false: none was received within `patience`, or the connection
+  void send_hello();
+  /// Queues the messages of one line; false: none was received within `timeout`, or the connection
   /// has ended.
-  bool receive(client::Milliseconds patience);
-  void take(protocol::Reply reply);
+  bool receive(client::Milliseconds timeout);
+  void handle_reply(protocol::Reply reply);
   void expire();
   void renew_subscriptions();
-  void keep_refusal(const std::string& method, const protocol::RpcError& refusal);
+  void record_refused_renewal(const std::string& method, const protocol::RpcError& refusal);
   client::Outcome<protocol::Id> send(const client::AnyRequest& request);
-  std::optional<protocol::Id> ask_any(const client::AnyRequest& request);
+  std::optional<protocol::Id> request_any(const client::AnyRequest& request);
   bool notify_any(const client::AnyRequest& request);
   /// The response; blocks until its deadline at most.
   client::Outcome<std::string> exchange(const client::AnyRequest& request);
-  std::optional<protocol::Reply> take_answer(const protocol::Id& id);
+  std::optional<protocol::Reply> take_response(const protocol::Id& id);
   /// False: `sent` failed; ends the connection unless the request itself was at fault.
-  bool keep(const client::Outcome<void>& sent);
-  client::ClientError lose(const client::ClientError& why);
-  client::ClientError stay_away(client::Failure failure, std::string problem);
+  bool check_sent(const client::Outcome<void>& sent);
+  client::ClientError end_connection(const client::ClientError& why);
+  client::ClientError fail_attempt(client::Failure failure, std::string problem);
 
   std::vector<client::Address> addresses_;
   BallOptions options_;
-  Stage stage_ = Stage::kAway;
+  Stage stage_ = Stage::kDisconnected;
   std::optional<client::Connection> connection_;
   std::optional<client::BallSearch> search_;
   std::vector<client::Address> located_;  // of this attempt
   std::size_t next_address_ = 0;
   client::Clock::time_point due_{};  // deadline of the attempt to connect
-  std::string tried_;                // addresses, and why each failed
-  std::optional<protocol::Id> introduction_;
+  std::string attempt_errors_;       // addresses, and why each failed
+  std::optional<protocol::Id> hello_id_;
   int connections_ = 0;
   client::Subscriptions subscriptions_;
   std::vector<protocol::Id> renewals_;  // whose responses are discarded
   std::deque<client::ClientError> refused_renewals_;
-  std::deque<Asked> asked_;
-  std::deque<protocol::Reply> answers_;
+  std::deque<PendingRequest> pending_;
+  std::deque<protocol::Reply> responses_;
   std::deque<client::Notification> notifications_;
   protocol::HelloResult hello_{};
   client::Backoff backoff_;

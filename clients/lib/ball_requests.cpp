@@ -8,29 +8,29 @@ namespace hedgehog {
 
 client::Outcome<protocol::Id> Ball::send(const client::AnyRequest& request) {
   const auto* raw = std::get_if<client::RawRequest>(&request);
-  auto asked = raw != nullptr ? connection_->ask_raw(raw->method, raw->params_json, kNow)
-                              : connection_->ask(std::get<protocol::Request>(request), kNow);
-  if (!keep(asked ? client::Outcome<void>{} : asked.error()))
-    return connected() ? asked.error() : *failure_;
-  asked_.push_back({*asked, client::Clock::now() + options_.patience});
-  return asked;
+  auto sent = raw != nullptr ? connection_->request_raw(raw->method, raw->params_json, kNow)
+                             : connection_->request(std::get<protocol::Request>(request), kNow);
+  if (!check_sent(sent ? client::Outcome<void>{} : sent.error()))
+    return connected() ? sent.error() : *failure_;
+  pending_.push_back({*sent, client::Clock::now() + options_.timeout});
+  return sent;
 }
 
-std::optional<protocol::Id> Ball::ask_any(const client::AnyRequest& request) {
+std::optional<protocol::Id> Ball::request_any(const client::AnyRequest& request) {
   if (!connected()) return std::nullopt;
-  auto asked = send(request);
-  if (!asked) return std::nullopt;
-  subscriptions_.asked(*asked, request);
-  return *std::move(asked);
+  auto sent = send(request);
+  if (!sent) return std::nullopt;
+  subscriptions_.on_request(*sent, request);
+  return *std::move(sent);
 }
 
 bool Ball::notify_any(const client::AnyRequest& request) {
   if (!connected()) return false;
   const auto* raw = std::get_if<client::RawRequest>(&request);
   const bool sent =
-      keep(raw != nullptr ? connection_->notify_raw(raw->method, raw->params_json, kNow)
-                          : connection_->notify(std::get<protocol::Request>(request), kNow));
-  if (sent) subscriptions_.notified(request);
+      check_sent(raw != nullptr ? connection_->notify_raw(raw->method, raw->params_json, kNow)
+                                : connection_->notify(std::get<protocol::Request>(request), kNow));
+  if (sent) subscriptions_.on_notification(request);
   return sent;
 }
 
@@ -40,22 +40,25 @@ bool Ball::notify_raw(std::string_view method, std::string_view params_json) {
   return notify_any(client::RawRequest{std::string(method), std::string(params_json)});
 }
 
-std::optional<protocol::Id> Ball::ask(const protocol::Request& request) { return ask_any(request); }
+std::optional<protocol::Id> Ball::request(const protocol::Request& request) {
+  return request_any(request);
+}
 
-std::optional<protocol::Id> Ball::ask_raw(std::string_view method, std::string_view params_json) {
-  return ask_any(client::RawRequest{std::string(method), std::string(params_json)});
+std::optional<protocol::Id> Ball::request_raw(std::string_view method,
+                                              std::string_view params_json) {
+  return request_any(client::RawRequest{std::string(method), std::string(params_json)});
 }
 
 void Ball::renew_subscriptions() {
   for (const client::Subscriptions::Held& one : subscriptions_.current()) {
-    const auto asked = send(one.request);
-    if (!asked) return;
-    subscriptions_.renewed(*asked, one);
-    renewals_.push_back(*asked);
+    const auto sent = send(one.request);
+    if (!sent) return;
+    subscriptions_.on_renewal(*sent, one);
+    renewals_.push_back(*sent);
   }
 }
 
-void Ball::keep_refusal(const std::string& method, const protocol::RpcError& refusal) {
+void Ball::record_refused_renewal(const std::string& method, const protocol::RpcError& refusal) {
   if (refused_renewals_.size() >= kMaxRefused) refused_renewals_.pop_front();
   refused_renewals_.push_back(
       {client::Failure::kRefused, method + ": " + refusal.message, refusal});

@@ -44,21 +44,21 @@ Outcome<void> send(LineSocket& socket, const std::string& line, Clock::time_poin
 Connection::Connection(LineSocket socket, Address address)
     : socket_(std::move(socket)), address_(std::move(address)) {}
 
-Outcome<Connection> Connection::open(const std::vector<Address>& addresses, Milliseconds patience) {
+Outcome<Connection> Connection::open(const std::vector<Address>& addresses, Milliseconds timeout) {
   const auto located = locate(addresses);
   if (!located) return located.error();
-  const auto deadline = Clock::now() + patience;
+  const auto deadline = Clock::now() + timeout;
   std::vector<std::string> places;
   for (const Address& address : *located) {
     auto socket = LineSocket::connect(address, deadline);
-    if (socket) return introduced(Connection(*std::move(socket), address), deadline);
+    if (socket) return after_hello(Connection(*std::move(socket), address), deadline);
     const std::string& why = socket.error().message;
     places.push_back(to_string(address) + (no_listener(why) ? "" : " (" + why + ")"));
   }
   return ClientError{Failure::kNoDaemon, no_daemon_at(places), {}};
 }
 
-Outcome<Connection> Connection::introduced(Connection connection, Clock::time_point deadline) {
+Outcome<Connection> Connection::after_hello(Connection connection, Clock::time_point deadline) {
   const auto& token = connection.address_.token;
   if (!token) return connection;
   const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
@@ -74,8 +74,8 @@ Outcome<Connection> Connection::start(const Address& address) {
 }
 
 Outcome<Connection> Connection::reopen(const std::vector<Address>& addresses,
-                                       Milliseconds patience) {
-  const auto deadline = Clock::now() + patience;
+                                       Milliseconds timeout) {
+  const auto deadline = Clock::now() + timeout;
   Backoff backoff;
   for (;;) {
     const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
@@ -87,72 +87,71 @@ Outcome<Connection> Connection::reopen(const std::vector<Address>& addresses,
   }
 }
 
-Outcome<std::string> Connection::call_text(const protocol::Request& request,
-                                           Milliseconds patience) {
+Outcome<std::string> Connection::call_text(const protocol::Request& request, Milliseconds timeout) {
   const Id id = Id::number(++last_id_);
-  return exchange(id, protocol::encode_request(id, request), patience);
+  return exchange(id, protocol::encode_request(id, request), timeout);
 }
 
 Outcome<std::string> Connection::call_raw(std::string_view method, std::string_view params_json,
-                                          Milliseconds patience) {
+                                          Milliseconds timeout) {
   const Id id = Id::number(++last_id_);
-  return exchange(id, protocol::encode_raw_request(id, method, params_json), patience);
+  return exchange(id, protocol::encode_raw_request(id, method, params_json), timeout);
 }
 
-Outcome<void> Connection::notify(const protocol::Request& request, Milliseconds patience) {
-  return send(socket_, protocol::encode_request(std::nullopt, request), Clock::now() + patience);
+Outcome<void> Connection::notify(const protocol::Request& request, Milliseconds timeout) {
+  return send(socket_, protocol::encode_request(std::nullopt, request), Clock::now() + timeout);
 }
 
 Outcome<void> Connection::notify_raw(std::string_view method, std::string_view params_json,
-                                     Milliseconds patience) {
+                                     Milliseconds timeout) {
   return send(socket_, protocol::encode_raw_request(std::nullopt, method, params_json),
-              Clock::now() + patience);
+              Clock::now() + timeout);
 }
 
-Outcome<Id> Connection::ask(const protocol::Request& request, Milliseconds patience) {
+Outcome<Id> Connection::request(const protocol::Request& request, Milliseconds timeout) {
   const Id id = Id::number(++last_id_);
-  return send_asked(id, protocol::encode_request(id, request), patience);
+  return send_request(id, protocol::encode_request(id, request), timeout);
 }
 
-Outcome<Id> Connection::ask_raw(std::string_view method, std::string_view params_json,
-                                Milliseconds patience) {
+Outcome<Id> Connection::request_raw(std::string_view method, std::string_view params_json,
+                                    Milliseconds timeout) {
   const Id id = Id::number(++last_id_);
-  return send_asked(id, protocol::encode_raw_request(id, method, params_json), patience);
+  return send_request(id, protocol::encode_raw_request(id, method, params_json), timeout);
 }
 
-Outcome<Id> Connection::send_asked(const Id& id, const std::string& line, Milliseconds patience) {
-  if (auto sent = send(socket_, line, Clock::now() + patience); !sent) return sent.error();
-  asked_.push_back(id);
+Outcome<Id> Connection::send_request(const Id& id, const std::string& line, Milliseconds timeout) {
+  if (auto sent = send(socket_, line, Clock::now() + timeout); !sent) return sent.error();
+  pending_.push_back(id);
   return id;
 }
 
-std::optional<protocol::Reply> Connection::answer() {
-  if (answers_.empty()) return std::nullopt;
-  std::optional<protocol::Reply> oldest = std::move(answers_.front());
-  answers_.pop_front();
+std::optional<protocol::Reply> Connection::response() {
+  if (responses_.empty()) return std::nullopt;
+  std::optional<protocol::Reply> oldest = std::move(responses_.front());
+  responses_.pop_front();
   return oldest;
 }
 
 Outcome<protocol::HelloResult> Connection::hello(std::string client,
                                                  std::optional<std::string> token,
-                                                 Milliseconds patience) {
-  return call(protocol::Hello{std::move(client), "1.0", std::move(token)}, patience);
+                                                 Milliseconds timeout) {
+  return call(protocol::Hello{std::move(client), "1.0", std::move(token)}, timeout);
 }
 
 Outcome<std::string> Connection::exchange(const Id& id, const std::string& line,
-                                          Milliseconds patience) {
-  const auto deadline = Clock::now() + patience;
+                                          Milliseconds timeout) {
+  const auto deadline = Clock::now() + timeout;
   if (auto sent = send(socket_, line, deadline); !sent) return sent.error();
   for (;;) {
-    auto answer = socket_.read(deadline);
-    if (!answer) return answer.error();
-    if (!*answer) {
+    auto response = socket_.read(deadline);
+    if (!response) return response.error();
+    if (!*response) {
       return ClientError{
           Failure::kTimeout,
-          "the daemon has not answered within " + std::to_string(patience.count()) + " ms",
+          "the daemon has not answered within " + std::to_string(timeout.count()) + " ms",
           {}};
     }
-    auto reply = take(**answer, id);
+    auto reply = handle_line(**response, id);
     if (!reply) return reply.error();
     if (!*reply) continue;
     auto& result = (*reply)->result;
@@ -161,20 +160,21 @@ Outcome<std::string> Connection::exchange(const Id& id, const std::string& line,
   }
 }
 
-Outcome<std::optional<protocol::Reply>> Connection::take(const std::string& line, const Id& id) {
+Outcome<std::optional<protocol::Reply>> Connection::handle_line(const std::string& line,
+                                                                const Id& id) {
   auto messages = protocol::decode_messages(line);
   if (!messages) return ClientError{Failure::kProtocol, messages.error().message, {}};
-  std::optional<protocol::Reply> ours;
+  std::optional<protocol::Reply> own;
   for (auto& message : *messages) {
     if (auto* reply = std::get_if<protocol::Reply>(&message)) {
       // An error without an id concerns the connection: too many connections, an invalid line.
       const bool about_all = reply->id == Id{} && !reply->result;
-      const auto asked = std::find(asked_.begin(), asked_.end(), reply->id);
-      if (asked != asked_.end()) {
-        asked_.erase(asked);
-        answers_.push_back(std::move(*reply));
+      const auto pending = std::find(pending_.begin(), pending_.end(), reply->id);
+      if (pending != pending_.end()) {
+        pending_.erase(pending);
+        responses_.push_back(std::move(*reply));
       } else if (reply->id == id || about_all) {
-        ours = std::move(*reply);
+        own = std::move(*reply);
       }
     } else if (auto* event = std::get_if<protocol::EventMessage>(&message)) {
       queue(std::move(*event));
@@ -182,25 +182,25 @@ Outcome<std::optional<protocol::Reply>> Connection::take(const std::string& line
       queue(std::move(*telemetry));
     }
   }
-  return ours;
+  return own;
 }
 
 void Connection::queue(Notification notification) {
   const auto is_telemetry = [](const Notification& one) {
     return std::holds_alternative<protocol::TelemetryMessage>(one);
   };
-  if (is_telemetry(notification) && ++telemetry_waiting_ > kMaxTelemetry) {
-    waiting_.erase(std::find_if(waiting_.begin(), waiting_.end(), is_telemetry));
-    --telemetry_waiting_;
+  if (is_telemetry(notification) && ++unread_telemetry_ > kMaxTelemetry) {
+    unread_.erase(std::find_if(unread_.begin(), unread_.end(), is_telemetry));
+    --unread_telemetry_;
   }
-  waiting_.push_back(std::move(notification));
+  unread_.push_back(std::move(notification));
 }
 
-Outcome<bool> Connection::receive(Milliseconds patience) {
-  auto line = socket_.read(Clock::now() + patience);
+Outcome<bool> Connection::receive(Milliseconds timeout) {
+  auto line = socket_.read(Clock::now() + timeout);
   if (!line) return line.error();
   if (!*line) return false;
-  auto reply = take(**line, Id::number(0));
+  auto reply = handle_line(**line, Id::number(0));
   if (!reply) return reply.error();
   if (!*reply) return true;
   const auto& refusal = (*reply)->result.error();
@@ -208,16 +208,16 @@ Outcome<bool> Connection::receive(Milliseconds patience) {
 }
 
 std::optional<Notification> Connection::notification() {
-  if (waiting_.empty()) return std::nullopt;
-  std::optional<Notification> oldest = std::move(waiting_.front());
-  waiting_.pop_front();
-  if (std::holds_alternative<protocol::TelemetryMessage>(*oldest)) --telemetry_waiting_;
+  if (unread_.empty()) return std::nullopt;
+  std::optional<Notification> oldest = std::move(unread_.front());
+  unread_.pop_front();
+  if (std::holds_alternative<protocol::TelemetryMessage>(*oldest)) --unread_telemetry_;
   return oldest;
 }
 
-Outcome<std::optional<Notification>> Connection::next(Milliseconds patience) {
-  const auto deadline = Clock::now() + patience;
-  while (waiting_.empty()) {
+Outcome<std::optional<Notification>> Connection::next(Milliseconds timeout) {
+  const auto deadline = Clock::now() + timeout;
+  while (unread_.empty()) {
     const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
     const auto received = receive(std::max(left, Milliseconds(0)));
     if (!received) return received.error();

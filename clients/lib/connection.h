@@ -18,7 +18,7 @@
 #include "clients/lib/backoff.h"
 #include "clients/lib/client_error.h"
 #include "clients/lib/line_socket.h"
-#include "clients/lib/patience.h"
+#include "clients/lib/response_timeout.h"
 #include "protocol/client_codec.h"
 
 namespace hedgehog::client {
@@ -36,9 +36,9 @@ class Connection {
   /// hello. mdns:// addresses are searched for first, for `kSearchTime` more. kNoDaemon: "no daemon
   /// answers at A or B". kRefused: the token is unknown.
   static Outcome<Connection> open(const std::vector<Address>& addresses,
-                                  Milliseconds patience = kConnectTimeout);
-  /// The same repeatedly, with the pauses of `Backoff`, until `patience` has elapsed.
-  static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
+                                  Milliseconds timeout = kConnectTimeout);
+  /// The same repeatedly, with the pauses of `Backoff`, until `timeout` has elapsed.
+  static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds timeout);
 
   /// REQUIRES: `address` is not an mdns:// address (see `locate`).
   /// Begins to connect and does not block (`LineSocket::start_connect`); no other call is allowed
@@ -48,47 +48,46 @@ class Connection {
   /// the message is the reason alone.
   Outcome<bool> connected(Clock::time_point deadline) { return socket_.connected(deadline); }
 
-  /// Sends one of the requests of protocol/methods.h and blocks until its response, for `patience`
+  /// Sends one of the requests of protocol/methods.h and blocks until its response, for `timeout`
   /// at most.
   template <class Request>
   Outcome<typename Request::Result> call(const Request& request,
-                                         Milliseconds patience = response_timeout()) {
-    return decoded<typename Request::Result>(call_text(request, patience));
+                                         Milliseconds timeout = response_timeout()) {
+    return decoded<typename Request::Result>(call_text(request, timeout));
   }
   /// The same, with the result as the JSON text that the daemon sent.
   Outcome<std::string> call_text(const protocol::Request& request,
-                                 Milliseconds patience = response_timeout());
+                                 Milliseconds timeout = response_timeout());
   /// The same for any method; `params_json` is an object or empty.
   Outcome<std::string> call_raw(std::string_view method, std::string_view params_json,
-                                Milliseconds patience = response_timeout());
+                                Milliseconds timeout = response_timeout());
 
   /// Sends a notification: a request without a response.
-  Outcome<void> notify(const protocol::Request& request,
-                       Milliseconds patience = response_timeout());
+  Outcome<void> notify(const protocol::Request& request, Milliseconds timeout = response_timeout());
   /// The same for any method; `params_json` is an object or empty.
   Outcome<void> notify_raw(std::string_view method, std::string_view params_json,
-                           Milliseconds patience = response_timeout());
+                           Milliseconds timeout = response_timeout());
 
-  /// Sends a request and does not wait for its response: `answer` returns it once `next` or a call
-  /// has read it.
-  Outcome<protocol::Id> ask(const protocol::Request& request,
-                            Milliseconds patience = response_timeout());
+  /// Sends a request and does not wait for its response: `response` returns it once `next` or a
+  /// call has read it.
+  Outcome<protocol::Id> request(const protocol::Request& request,
+                                Milliseconds timeout = response_timeout());
   /// The same for any method; `params_json` is an object or empty.
-  Outcome<protocol::Id> ask_raw(std::string_view method, std::string_view params_json,
-                                Milliseconds patience = response_timeout());
-  /// The oldest unread response to an `ask`; does not read the socket.
-  std::optional<protocol::Reply> answer();
+  Outcome<protocol::Id> request_raw(std::string_view method, std::string_view params_json,
+                                    Milliseconds timeout = response_timeout());
+  /// The oldest unread response to a `request`; does not read the socket.
+  std::optional<protocol::Reply> response();
 
   /// Sends the name of the client program ("Racer/1.2"). Optional.
   Outcome<protocol::HelloResult> hello(std::string client, std::optional<std::string> token = {},
-                                       Milliseconds patience = response_timeout());
+                                       Milliseconds timeout = response_timeout());
 
-  /// The oldest unread event or telemetry; nullopt when none was received within `patience` (0:
+  /// The oldest unread event or telemetry; nullopt when none was received within `timeout` (0:
   /// only what is already in the buffers).
-  Outcome<std::optional<Notification>> next(Milliseconds patience);
-  /// Reads one line of any kind for `notification` and `answer`; false when none was received
-  /// within `patience`. kRefused: an error about the connection, which stays open.
-  Outcome<bool> receive(Milliseconds patience);
+  Outcome<std::optional<Notification>> next(Milliseconds timeout);
+  /// Reads one line of any kind for `notification` and `response`; false when none was received
+  /// within `timeout`. kRefused: an error about the connection, which stays open.
+  Outcome<bool> receive(Milliseconds timeout);
   /// The oldest unread event or telemetry; does not read the socket.
   std::optional<Notification> notification();
 
@@ -100,7 +99,7 @@ class Connection {
  private:
   Connection(LineSocket socket, Address address);
   /// `connection`, once the daemon has accepted the token of its address.
-  static Outcome<Connection> introduced(Connection connection, Clock::time_point deadline);
+  static Outcome<Connection> after_hello(Connection connection, Clock::time_point deadline);
 
   template <class T>
   static Outcome<T> decoded(const Outcome<std::string>& json) {
@@ -110,20 +109,21 @@ class Connection {
     return *std::move(value);
   }
   Outcome<std::string> exchange(const protocol::Id& id, const std::string& line,
-                                Milliseconds patience);
+                                Milliseconds timeout);
   /// Queues the messages of a line; returns the response to `id` if it is among them.
-  Outcome<std::optional<protocol::Reply>> take(const std::string& line, const protocol::Id& id);
+  Outcome<std::optional<protocol::Reply>> handle_line(const std::string& line,
+                                                      const protocol::Id& id);
   void queue(Notification notification);
-  Outcome<protocol::Id> send_asked(const protocol::Id& id, const std::string& line,
-                                   Milliseconds patience);
+  Outcome<protocol::Id> send_request(const protocol::Id& id, const std::string& line,
+                                     Milliseconds timeout);
 
   LineSocket socket_;
   Address address_;
   std::int64_t last_id_ = 0;
-  std::deque<protocol::Id> asked_;  // without a response so far
-  std::deque<protocol::Reply> answers_;
-  std::deque<Notification> waiting_;
-  std::size_t telemetry_waiting_ = 0;
+  std::deque<protocol::Id> pending_;  // without a response so far
+  std::deque<protocol::Reply> responses_;
+  std::deque<Notification> unread_;
+  std::size_t unread_telemetry_ = 0;
 };
 
 }  // namespace hedgehog::client

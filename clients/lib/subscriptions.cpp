@@ -37,19 +37,19 @@ bool is_carried_out(const AnyRequest& request) {
 
 }  // namespace
 
-void Subscriptions::notified(const AnyRequest& request) {
+void Subscriptions::on_notification(const AnyRequest& request) {
   if (concerns(request) && is_carried_out(request)) apply({++last_order_, request});
 }
 
-void Subscriptions::asked(const protocol::Id& id, const AnyRequest& request) {
+void Subscriptions::on_request(const protocol::Id& id, const AnyRequest& request) {
   if (concerns(request)) pending_.push_back({id, {++last_order_, request}, false});
 }
 
-void Subscriptions::renewed(const protocol::Id& id, const Held& one) {
+void Subscriptions::on_renewal(const protocol::Id& id, const Held& one) {
   pending_.push_back({id, one, true});
 }
 
-std::optional<std::string> Subscriptions::answered(const protocol::Id& id, bool accepted) {
+std::optional<std::string> Subscriptions::on_response(const protocol::Id& id, bool accepted) {
   const auto found = std::find_if(pending_.begin(), pending_.end(),
                                   [&](const Pending& one) { return one.id == id; });
   if (found == pending_.end()) return std::nullopt;

@@ -34,15 +34,15 @@ class Subscriptions {
 
   /// A request without a response: in force if this version of the protocol accepts it, since a
   /// refusal is not reported. Other methods are ignored, here and below.
-  void notified(const AnyRequest& request);
-  /// A request that is in force once `answered` reports its acceptance.
-  void asked(const protocol::Id& id, const AnyRequest& request);
+  void on_notification(const AnyRequest& request);
+  /// A request that is in force once `on_response` reports its acceptance.
+  void on_request(const protocol::Id& id, const AnyRequest& request);
   /// `one` of `current` was requested again, on a new connection.
-  void renewed(const protocol::Id& id, const Held& one);
+  void on_renewal(const protocol::Id& id, const Held& one);
   /// The method of a subscription that this response has ended: the daemon refused to renew it.
-  std::optional<std::string> answered(const protocol::Id& id, bool accepted);
+  std::optional<std::string> on_response(const protocol::Id& id, bool accepted);
   /// Requests without a response are discarded; renewals stay due.
-  void connection_lost() { pending_.clear(); }
+  void on_connection_lost() { pending_.clear(); }
 
   /// The active subscriptions, in the order of their requests.
   const std::vector<Held>& current() const noexcept { return current_; }

@@ -103,7 +103,7 @@ void ThreadedBall::run() {
     failure_.reset();
     if (!ball_.problem().empty()) failure_ = ball_.failure();
     while (auto notification = ball_.next()) {
-      if (notifications_.size() >= Ball::kMaxWaiting) notifications_.pop_front();
+      if (notifications_.size() >= Ball::kMaxUnread) notifications_.pop_front();
       notifications_.push_back(*std::move(notification));
     }
     while (auto refused = ball_.refused_renewal()) {

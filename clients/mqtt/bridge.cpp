@@ -127,11 +127,11 @@ Outcome<void> Bridge::exchange() {
   if (status_request_ && now > response_due_)
     return client::ClientError{client::Failure::kTimeout, "the daemon does not answer", {}};
   if (now >= status_due_)
-    if (auto asked = request_status(); !asked) return asked;
+    if (auto sent = request_status(); !sent) return sent;
   for (;;) {
     const auto notification = daemon_->next(Milliseconds(0));
     if (!notification) return notification.error();
-    while (const auto reply = daemon_->answer()) take(*reply);
+    while (const auto reply = daemon_->response()) take(*reply);
     if (!*notification) return {};
     take(**notification);
   }
@@ -141,9 +141,9 @@ Outcome<void> Bridge::request_status() {
   status_due_ = client::Clock::now() +
                 std::chrono::ceil<Milliseconds>(std::chrono::duration<double>(options_.status_s));
   if (status_request_) return {};
-  const auto asked = daemon_->ask(protocol::DeviceStatus{});
-  if (!asked) return asked.error();
-  status_request_ = *asked;
+  const auto sent = daemon_->request(protocol::DeviceStatus{});
+  if (!sent) return sent.error();
+  status_request_ = *sent;
   response_due_ = client::Clock::now() + client::response_timeout();
   return {};
 }
@@ -225,21 +225,21 @@ void Bridge::announce() {
 }
 
 void Bridge::request(const Message& message) {
-  const auto wanted = remote_request(topics_, message);
+  const auto forwarded = remote_request(topics_, message);
   protocol::Result<std::string> refusal =
       protocol::error(protocol::ErrorCode::kDeviceAbsent, "the daemon is gone");
-  if (!wanted) {
-    refusal = wanted.error();
+  if (!forwarded) {
+    refusal = forwarded.error();
   } else if (pending_.full() && message.topic != topics_.emergency_stop()) {
     refusal = protocol::busy("too many requests wait for the daemon", 100);
   } else if (daemon_) {
-    const auto asked = daemon_->ask_raw(wanted->method, wanted->params_json);
-    if (asked) {
-      pending_.add(*asked, message);
+    const auto sent = daemon_->request_raw(forwarded->method, forwarded->params_json);
+    if (sent) {
+      pending_.add(*sent, message);
       return;
     }
-    refusal = protocol::error(protocol::ErrorCode::kInternalError, asked.error().message);
-    on_lost(asked.error().message);
+    refusal = protocol::error(protocol::ErrorCode::kInternalError, sent.error().message);
+    on_lost(sent.error().message);
   }
   publish_all(response_to(topics_, message, refusal));
 }

@@ -89,7 +89,7 @@ bool is_claimed(const Feel& feel) {
 /// Waits for the responses to the last blows; a daemon that becomes silent sends none.
 void await_responses(Feel& feel, double time_s) {
   const auto until = std::chrono::steady_clock::now() + client::response_timeout();
-  while (!feel.answered() && std::chrono::steady_clock::now() < until) {
+  while (!feel.all_answered() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     feel.frame({}, time_s);
   }

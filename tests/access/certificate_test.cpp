@@ -18,7 +18,7 @@ TEST(Certificate, IsNewEachTimeAndFitsItsKey) {
   EXPECT_NE(*first, *second);
 }
 
-TEST(Certificate, OfAnotherKeyOrNoneIsOfNoUse) {
+TEST(Certificate, OfAnotherKeyOrNoneIsRejected) {
   const Certificate one = new_certificate("a", 1);
   const Certificate two = new_certificate("a", 1);
   EXPECT_THAT(pair_problem(one.certificate_pem, two.key_pem), testing::HasSubstr("another"));

@@ -41,7 +41,7 @@ TEST(TokenFile, CommentsEmptyLinesAndLineEndsOfOtherSystemsAreSkipped) {
   EXPECT_EQ((*read)[1].role, protocol::Role::kPlay);
 }
 
-TEST(TokenFile, AMistakeHasItsLineAndDoesNotQuoteIt) {
+TEST(TokenFile, AnErrorNamesItsLineAndDoesNotQuoteIt) {
   const std::string good = "a play sha256:" + base::to_hex(digest_of("x")) + " 2026-01-01\n";
   const std::string secret = new_token();
   for (const std::string& wrong :
@@ -82,7 +82,7 @@ TEST(TokenFile, IsReadableByItsOwnerOnlyWhateverTheUmask) {
   EXPECT_EQ(*read, kTwo);
 }
 
-TEST(TokenFile, WhatRootWritesBelongsToTheOwnerOfTheFolder) {
+TEST(TokenFile, WrittenByRootBelongsToTheOwnerOfTheFolder) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root writes into folders of others";
   const TemporaryFolder folder;
   constexpr uid_t kDaemon = 12345;
@@ -94,7 +94,7 @@ TEST(TokenFile, WhatRootWritesBelongsToTheOwnerOfTheFolder) {
   EXPECT_EQ(info.st_gid, kDaemon);
 }
 
-TEST(TokenFile, AMissingFileHasNoTokensAndAFolderIsAMistake) {
+TEST(TokenFile, AMissingFileHasNoTokensAndAFolderIsAnError) {
   const TemporaryFolder folder;
   const auto none = read_tokens(folder.path("tokens"));
   ASSERT_TRUE(none);

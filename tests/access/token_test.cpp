@@ -20,7 +20,7 @@ TEST(Token, Has256RandomBitsInCharactersThatNeedNoQuoting) {
   }
 }
 
-TEST(Token, IsKeptAsItsSha256) {
+TEST(Token, IsStoredAsItsSha256) {
   // FIPS 180-4's example, "abc".
   EXPECT_EQ(base::to_hex(digest_of("abc")),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

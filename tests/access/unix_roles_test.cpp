@@ -27,7 +27,7 @@ std::optional<Role> role(const UnixRoles& roles, const Peer& of) {
   return role_of(roles, &of, kDaemon);
 }
 
-TEST(UnixRoles, ByDefaultEverybodyOperates) {
+TEST(UnixRoles, ByDefaultEveryUserOperates) {
   EXPECT_EQ(role({}, peer(1000, 1000)), Role::kOperate);
   EXPECT_EQ(role_of({}, nullptr, kDaemon), Role::kOperate);
 }
@@ -43,13 +43,13 @@ TEST(UnixRoles, AUserHasThatOfItsNameOrItsGroups) {
 }
 
 TEST(UnixRoles, RootAndTheDaemonsOwnUserAlwaysOperate) {
-  const UnixRoles nobody{{}, {}, {}};
-  EXPECT_EQ(role(nobody, peer(0, 5)), Role::kOperate);
-  EXPECT_EQ(role(nobody, peer(kDaemon, 5)), Role::kOperate);
-  EXPECT_EQ(role(nobody, peer(5, 0, {kDaemon})), std::nullopt) << "their groups do not";
+  const UnixRoles no_roles{{}, {}, {}};
+  EXPECT_EQ(role(no_roles, peer(0, 5)), Role::kOperate);
+  EXPECT_EQ(role(no_roles, peer(kDaemon, 5)), Role::kOperate);
+  EXPECT_EQ(role(no_roles, peer(5, 0, {kDaemon})), std::nullopt) << "their groups do not";
 }
 
-TEST(UnixRoles, AUserWhomTheSystemDoesNotTellHasOnlyWhatEverybodyHas) {
+TEST(UnixRoles, AnUnidentifiedUserHasOnlyTheRolesOfAllUsers) {
   EXPECT_EQ(role_of({{Principal{}}, {user(0)}, {group(0)}}, nullptr, kDaemon), Role::kObserve);
   EXPECT_EQ(role_of({{}, {user(0)}, {group(0)}}, nullptr, kDaemon), std::nullopt);
 }
@@ -74,15 +74,15 @@ rc::Gen<std::vector<std::uint32_t>> some_groups() {
 
 RC_GTEST_PROP(UnixRoles, TheHighestRoleThatMatchesCounts, ()) {
   const UnixRoles roles{*some_principals(), *some_principals(), *some_principals()};
-  const Peer someone = peer(*some_id(), *some_id(), *some_groups());
+  const Peer peer_of_test = peer(*some_id(), *some_id(), *some_groups());
   // An independent implementation of the matching.
   const auto in = [&](const Principals& list) {
     int matches = 0;
     for (const Principal& one : list) {
       if (one.text == "*") ++matches;
-      if (one.text == std::to_string(someone.user)) ++matches;
-      if (one.text == "@" + std::to_string(someone.group)) ++matches;
-      for (const std::uint32_t id : someone.groups)
+      if (one.text == std::to_string(peer_of_test.user)) ++matches;
+      if (one.text == "@" + std::to_string(peer_of_test.group)) ++matches;
+      for (const std::uint32_t id : peer_of_test.groups)
         if (one.text == "@" + std::to_string(id)) ++matches;
     }
     return matches > 0;
@@ -92,19 +92,19 @@ RC_GTEST_PROP(UnixRoles, TheHighestRoleThatMatchesCounts, ()) {
   if (in(roles.play)) highest = Role::kPlay;
   if (in(roles.operate)) highest = Role::kOperate;
   RC_TAG(highest ? std::string(protocol::name(*highest)) : "none");
-  RC_ASSERT(role(roles, someone) == highest);
+  RC_ASSERT(role(roles, peer_of_test) == highest);
 }
 
 RC_GTEST_PROP(UnixRoles, OneMoreEntryNeverLowersARole, ()) {
   UnixRoles roles{*some_principals(), *some_principals(), *some_principals()};
-  const Peer someone = peer(*some_id(), *some_id());
-  const auto before = role(roles, someone);
+  const Peer peer_of_test = peer(*some_id(), *some_id());
+  const auto before = role(roles, peer_of_test);
   const auto list = *rc::gen::element(&UnixRoles::observe, &UnixRoles::play, &UnixRoles::operate);
   (roles.*list).push_back(user(*some_id()));
-  RC_ASSERT(role(roles, someone) >= before);
+  RC_ASSERT(role(roles, peer_of_test) >= before);
 }
 
-TEST(Principals, AreUsersGroupsNumbersOrEverybody) {
+TEST(Principals, AreUsersGroupsNumbersOrAllUsers) {
   EXPECT_EQ(*parse_principal("*"), Principal{});
   EXPECT_EQ(*parse_principal("root"), (Principal{Kind::kUser, 0, "root"}));
   EXPECT_EQ(*parse_principal("@root"), (Principal{Kind::kGroup, 0, "@root"}));
@@ -112,7 +112,7 @@ TEST(Principals, AreUsersGroupsNumbersOrEverybody) {
   EXPECT_EQ(*parse_principal("@4294967294"), group(4294967294));
 }
 
-TEST(Principals, ThatDoNotExistAreRefusedInWords) {
+TEST(Principals, ThatDoNotExistAreRefusedWithAMessage) {
   EXPECT_EQ(parse_principal("no-such-user-here").error(), "there is no such user");
   EXPECT_EQ(parse_principal("@no-such-group-here").error(), "there is no such group");
   for (const std::string number : {"4294967295", "@99999999999999999999"})

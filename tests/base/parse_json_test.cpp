@@ -32,7 +32,7 @@ TEST(ParseJson, ANulEndsNoText) {
   }
 }
 
-TEST(ParseJson, SaysWhereAndWhatIsWrongAndThrowsNothing) {
+TEST(ParseJson, ReportsPositionAndErrorAndThrowsNothing) {
   const auto parsed = parse_json<json>("{\n\"a\" 1}");
   EXPECT_TRUE(parsed.value.is_discarded());
   EXPECT_EQ(parsed.at, 7u);
@@ -43,7 +43,7 @@ TEST(ParseJson, SaysWhereAndWhatIsWrongAndThrowsNothing) {
   EXPECT_EQ(parse_json<json>("[\n1e999]").at, 7u) << "a number that no double can hold";
 }
 
-TEST(ParseJson, HasCommentsWhereTheyAreAllowed) {
+TEST(ParseJson, AcceptsCommentsWhereTheyAreAllowed) {
   const std::string text = "{ // so\n}";
   EXPECT_FALSE(parse_json<json>(text).good());
   EXPECT_TRUE(parse_json<json>(text, JsonComments::kAllowed).good());

@@ -34,13 +34,13 @@ TEST(RegularFile, IsReadWholeUpToItsBound) {
   EXPECT_EQ(read_regular_file(folder.write("byte", "1"), 0).problem, "is larger than 0 bytes");
 }
 
-TEST(RegularFile, WhoseSizeIsNotToldIsReadAndBoundedAllTheSame) {
-  const FileText told_zero = read_regular_file("/proc/self/status", 1 << 20);
-  EXPECT_NE(told_zero.text.find("Pid:"), std::string::npos);
+TEST(RegularFile, OfUnreportedSizeIsReadAndBoundedToo) {
+  const FileText zero_size = read_regular_file("/proc/self/status", 1 << 20);
+  EXPECT_NE(zero_size.text.find("Pid:"), std::string::npos);
   EXPECT_EQ(read_regular_file("/proc/self/status", 100).problem, "is larger than 100 bytes");
 }
 
-TEST(RegularFile, MissingIsNoMistake) {
+TEST(RegularFile, MissingIsNoError) {
   const TemporaryFolder folder;
   EXPECT_TRUE(read_regular_file(folder.path("none"), 10).missing);
   EXPECT_TRUE(read_regular_file(folder.write("file", "") + "/none", 10).missing);
@@ -66,7 +66,7 @@ TEST(RegularFile, NothingElseIsRead) {
   ::close(listener);
 }
 
-TEST(RegularFile, ALinkCountsAsWhatIsBehindIt) {
+TEST(RegularFile, ALinkIsFollowed) {
   const TemporaryFolder folder;
   folder.write("real", "text");
   fs::create_symlink("real", folder.path("link"));
@@ -78,7 +78,7 @@ TEST(RegularFile, ALinkCountsAsWhatIsBehindIt) {
   EXPECT_FALSE(read_regular_file(folder.path("loop"), 10).good());
 }
 
-TEST(AtomicFile, WaitsForNoReaderOfALeftover) {
+TEST(AtomicFile, IsNotBlockedByALeftoverFifo) {
   const TemporaryFolder folder;
   const std::string path = folder.path("state.json");
   ASSERT_EQ(::mkfifo((path + ".new").c_str(), 0600), 0);

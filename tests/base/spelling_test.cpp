@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kNames{"pulse", "--lease-ms", "--level", "duration_ms"};
 
-TEST(Spelling, FindsWhatWasProbablyMeant) {
+TEST(Spelling, FindsTheNearestName) {
   EXPECT_EQ(nearest("pulze", kNames), "pulse");
   EXPECT_EQ(nearest("--levle", kNames), "--level");
   EXPECT_EQ(nearest("duration", kNames), "duration_ms") << "only the unit is missing";

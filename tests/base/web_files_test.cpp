@@ -30,24 +30,24 @@ class WebFilesTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(WebFilesTest, ThePackedFileIsSentToWhoTakesIt) {
+TEST_F(WebFilesTest, ThePackedFileIsSentToClientsThatAcceptIt) {
   folder_.write("main.js", kScript);
   folder_.write("main.js.gz", packed());
   const WebFiles files = read();
   EXPECT_EQ(files.by_path.size(), 1u) << "a packed file is no page of its own";
   const WebFile& file = *files.find("/main.js");
   for (const char* accepted : {"gzip", "deflate, gzip;q=0.5", "br , gzip ; q=1"}) {
-    const WebFileResponse answer = web_file_response(file, accepted, "");
-    EXPECT_EQ(*answer.body, packed()) << accepted;
-    EXPECT_EQ(answer.encoding, "gzip");
-    EXPECT_EQ(answer.vary, "Accept-Encoding");
-    EXPECT_NE(answer.etag, file.etag) << "other bytes, another tag";
+    const WebFileResponse response = web_file_response(file, accepted, "");
+    EXPECT_EQ(*response.body, packed()) << accepted;
+    EXPECT_EQ(response.encoding, "gzip");
+    EXPECT_EQ(response.vary, "Accept-Encoding");
+    EXPECT_NE(response.etag, file.etag) << "other bytes, another tag";
   }
   for (const char* accepted : {"", "br", "gzip;q=0", "gzip; q=0.000", "notgzip"}) {
-    const WebFileResponse answer = web_file_response(file, accepted, "");
-    EXPECT_EQ(*answer.body, kScript) << accepted;
-    EXPECT_EQ(answer.encoding, "");
-    EXPECT_EQ(answer.vary, "Accept-Encoding") << "for caches between";
+    const WebFileResponse response = web_file_response(file, accepted, "");
+    EXPECT_EQ(*response.body, kScript) << accepted;
+    EXPECT_EQ(response.encoding, "");
+    EXPECT_EQ(response.vary, "Accept-Encoding") << "for caches between";
   }
 }
 
@@ -59,14 +59,14 @@ TEST_F(WebFilesTest, APackedFileOfOtherContentIsNotSent) {
   folder_.write("alone.js.gz", packed());
   const WebFiles files = read();
   for (const char* path : {"/main.js", "/short.js"}) {
-    const WebFileResponse answer = web_file_response(*files.find(path), "gzip", "");
-    EXPECT_EQ(answer.encoding, "") << path;
-    EXPECT_EQ(answer.vary, "");
+    const WebFileResponse response = web_file_response(*files.find(path), "gzip", "");
+    EXPECT_EQ(response.encoding, "") << path;
+    EXPECT_EQ(response.vary, "");
   }
   EXPECT_EQ(files.find("/alone.js"), nullptr);
 }
 
-TEST_F(WebFilesTest, WhatABrowserHasIsNotSentAgain) {
+TEST_F(WebFilesTest, AnUnchangedFileIsNotSentAgain) {
   folder_.write("main.js", kScript);
   folder_.write("main.js.gz", packed());
   const WebFiles files = read();
@@ -82,7 +82,7 @@ TEST_F(WebFilesTest, WhatABrowserHasIsNotSentAgain) {
   EXPECT_NE(web_file_response(without_tag, "", "\"any\"").body, nullptr);
 }
 
-TEST_F(WebFilesTest, OnlyANameWithAHashIsKeptForGood) {
+TEST_F(WebFilesTest, OnlyANameWithAHashIsCachedForEver) {
   for (const char* name : {"chunk-3F2A9C0B.js", "main.js", "chunk-3f2a9c0b.js", "-AB.js"})
     folder_.write(name, kScript);
   const WebFiles files = read();

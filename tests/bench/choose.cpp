@@ -36,8 +36,8 @@ void choose(benchmark::State& state) {
   state.counters["designs/s"] =
       benchmark::Counter(static_cast<double>(looked_at), benchmark::Counter::kIsRate);
   const double took_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  const bool kept = took_s <= kBudgetS && looked_at >= 10'000;
-  state.SetLabel(kept ? "budget of a minute kept" : "budget of a minute MISSED");
+  const bool in_budget = took_s <= kBudgetS && looked_at >= 10'000;
+  state.SetLabel(in_budget ? "budget of a minute kept" : "budget of a minute MISSED");
   state.counters["designs"] = static_cast<double>(search.space().size());
 }
 BENCHMARK(choose)

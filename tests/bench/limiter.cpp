@@ -12,8 +12,8 @@ void limit(benchmark::State& state, double hottest_c, bool measured) {
   ThermalEstimate estimate;
   estimate.hottest_c = hottest_c;
   estimate.measured.fill(measured);
-  const CoilCurrents wanted{{5.0, 6.0, 7.0}};
-  for (auto _ : state) benchmark::DoNotOptimize(limiter.limit(wanted, estimate));
+  const CoilCurrents requested{{5.0, 6.0, 7.0}};
+  for (auto _ : state) benchmark::DoNotOptimize(limiter.limit(requested, estimate));
 }
 BENCHMARK_CAPTURE(limit, cool, 25.0, true);
 BENCHMARK_CAPTURE(limit, derated, 65.0, true);

@@ -22,7 +22,7 @@ const Arrangement& tkd() {
 }
 
 /// Reports the budget with the measurement. Processor time, because the machine may be shared.
-void judge(benchmark::State& state, std::clock_t spent, double budget_ms) {
+void check_budget(benchmark::State& state, std::clock_t spent, double budget_ms) {
   const auto runs = std::max<benchmark::IterationCount>(1, state.iterations());
   const double each_ms =
       1e3 * static_cast<double>(spent) / CLOCKS_PER_SEC / static_cast<double>(runs);
@@ -44,7 +44,7 @@ void characterise_tkd(benchmark::State& state) {
     const auto classes = symmetry_classes(tkd());
     benchmark::DoNotOptimize(characterise(classes, {}, settings));
   }
-  judge(state, std::clock() - start, state.range(0) <= 3 ? 20.0 : 150.0);
+  check_budget(state, std::clock() - start, state.range(0) <= 3 ? 20.0 : 150.0);
 }
 BENCHMARK(characterise_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Unit(benchmark::kMillisecond);
 

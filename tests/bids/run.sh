@@ -52,4 +52,4 @@ cd "$home"
 "$study" -C th exclude P01 quick --reason 'a door slammed'
 "$study" -C th export --format bids
 NODE_NO_WARNINGS=1 node "$packages/node_modules/bids-validator/bin/bids-validator" th/bids --json >report.json || true
-node "$here/judge.mjs" report.json
+node "$here/print_issues.mjs" report.json

@@ -12,11 +12,11 @@
 
 namespace hedgehog::campaign {
 
-/// Calls `run(i)` for each i below `count` on `jobs` threads, and `take(i, result)` with each
+/// Calls `run(i)` for each i below `count` on `jobs` threads, and `on_result(i, result)` with each
 /// result, one at a time and in any order.
-template <class Run, class Take>
+template <class Run, class OnResult>
 void run_each(const char* what, std::uint64_t count, unsigned jobs, const Run& run,
-              const Take& take) {
+              const OnResult& on_result) {
   std::atomic<std::uint64_t> next{0};
   std::uint64_t done = 0;
   std::mutex mutex;
@@ -24,7 +24,7 @@ void run_each(const char* what, std::uint64_t count, unsigned jobs, const Run& r
     for (std::uint64_t i = next++; i < count; i = next++) {
       const auto result = run(i);
       const std::lock_guard lock(mutex);
-      take(i, result);
+      on_result(i, result);
       show_progress(what, ++done, count);
     }
   };

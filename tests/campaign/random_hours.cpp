@@ -46,7 +46,7 @@ Summary run(const char* what, std::uint64_t hours, const Options& options,
   Summary summary;
   const auto seed_of = [&](std::uint64_t i) { return options.seed * 1'000'003 + i; };
   const auto run_one = [&](std::uint64_t i) { return hour(seed_of(i)); };
-  const auto take = [&](std::uint64_t i, const HourResult& result) {
+  const auto on_result = [&](std::uint64_t i, const HourResult& result) {
     if (result.failure.empty()) {
       ++summary.passed;
     } else {
@@ -60,7 +60,7 @@ Summary run(const char* what, std::uint64_t hours, const Options& options,
     summary.held_skin_c = std::max(summary.held_skin_c, result.held_skin_c);
     summary.derated += result.derated;
   };
-  hedgehog::campaign::run_each(what, hours, options.jobs, run_one, take);
+  hedgehog::campaign::run_each(what, hours, options.jobs, run_one, on_result);
   std::printf(
       "%s: %llu passed, %llu failed; %llu effects, hottest winding %.2f C, skin %.2f C"
       " (after 10 min %.2f C), derated %.1f %% of the time\n",

@@ -39,7 +39,7 @@ struct Summary {
   int long_driven = 0;
   /// Of the faults that hide heat.
   int hiding_stopped = 0;
-  int hiding_named = 0;
+  int hiding_detected = 0;
   double hottest_c = 0.0;
 
   void add(const rig::ThermalFault& fault, const rig::FaultResult& result) {
@@ -48,7 +48,7 @@ struct Summary {
     named += result.stop.any() && rig::named(fault, result.stop);
     if (rig::hides_heat(fault.error)) {
       hiding_stopped += result.stop.any();
-      hiding_named += result.stop.any() && rig::named(fault, result.stop);
+      hiding_detected += result.stop.any() && rig::named(fault, result.stop);
     }
     above_75 += result.hottest_c > 75.0;
     long_above_75 += result.above_75_s > 10.0;
@@ -82,9 +82,9 @@ Summary run(const char* what, std::uint64_t count, const Options& options, Fault
         const auto& [fault, result] = r;
         all.add(fault, result);
         kinds[name(fault.error.kind)].add(fault, result);
-        const bool misnamed = result.stop.any() && !rig::named(fault, result.stop);
+        const bool wrong_reason = result.stop.any() && !rig::named(fault, result.stop);
         if (result.hottest_c > 75.0 || result.driven_ms > rig::kMaxDrivenMs ||
-            (options.verbose && misnamed)) {
+            (options.verbose && wrong_reason)) {
           std::fprintf(stderr, "\n%s %llu, %s: %.1f C, above 75 for %.1f s, %s\n", what,
                        static_cast<unsigned long long>(i), words(fault).c_str(), result.hottest_c,
                        result.above_75_s, words(result.stop).c_str());
@@ -153,10 +153,10 @@ int main(int argc, char** argv) {
   const int stopped = made.stopped + random.stopped;
   const int hiding = made.hiding_stopped + random.hiding_stopped;
   const bool most_named = 10 * (made.named + random.named) >= 9 * stopped;
-  held = held && 10 * (made.hiding_named + random.hiding_named) >= 9 * hiding;
+  held = held && 10 * (made.hiding_detected + random.hiding_detected) >= 9 * hiding;
   std::printf("named: %.1f %% of all that stopped, %.1f %% of those that hide heat\n",
               100.0 * (made.named + random.named) / std::max(1, stopped),
-              100.0 * (made.hiding_named + random.hiding_named) / std::max(1, hiding));
+              100.0 * (made.hiding_detected + random.hiding_detected) / std::max(1, hiding));
   if (!most_named)
     std::puts("NOT met, which is known (tests/thermal-campaigns.md): 90 % of all are named");
   // The short form checks the requirements met so far; the long one checks all.

@@ -43,7 +43,7 @@ class Completion : public Reference {
 
 class BashCompletion : public Completion {
  protected:
-  std::string takes(const std::string& line) const {
+  std::string completed_value(const std::string& line) const {
     const std::string input = "source \"" + path("bash-completion/completions/sample") +
                               "\"; sample() { local IFS=,; echo \"$*\"; }\nsample " + line + "\n";
     return shell("cd '" + path("empty") + "' && printf '" + input +
@@ -51,12 +51,14 @@ class BashCompletion : public Completion {
   }
 };
 
-TEST_F(BashCompletion, KnowsVerbsOptionsAndValues) {
-  for (const auto& [typed, words] : kCompleted) EXPECT_EQ(takes(typed), words + "\n") << typed;
+TEST_F(BashCompletion, CompletesVerbsOptionsAndValues) {
+  for (const auto& [typed, words] : kCompleted)
+    EXPECT_EQ(completed_value(typed), words + "\n") << typed;
 }
 
-TEST_F(BashCompletion, TakesNoValueForAVerb) {
-  for (const auto& [typed, words] : kBehindValues) EXPECT_EQ(takes(typed), words + "\n") << typed;
+TEST_F(BashCompletion, DoesNotCompleteAValueAsAVerb) {
+  for (const auto& [typed, words] : kBehindValues)
+    EXPECT_EQ(completed_value(typed), words + "\n") << typed;
 }
 
 class ZshCompletion : public Completion {
@@ -68,7 +70,7 @@ class ZshCompletion : public Completion {
                               << "sample() { print -r -- \"takes:${(j:,:)@}:end\" }\n";
   }
   /// zsh completes only on a terminal.
-  std::string takes(const std::string& line) const {
+  std::string completed_value(const std::string& line) const {
     std::ofstream(path("type")) << "zmodload zsh/zpty\nzpty z zsh -f -i\nzpty -w z '. "
                                 << path("rc") << "'\nzpty -w z $'sample " << line << "'\n"
                                 << "zpty -r z shown '*takes:*:end*'\nzpty -d z\n"
@@ -77,15 +79,17 @@ class ZshCompletion : public Completion {
   }
 };
 
-TEST_F(ZshCompletion, KnowsVerbsOptionsAndValues) {
+TEST_F(ZshCompletion, CompletesVerbsOptionsAndValues) {
   if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
   EXPECT_EQ(shell("zsh -n '" + path("zsh/site-functions/_sample") + "'"), "");
-  for (const auto& [typed, words] : kCompleted) EXPECT_EQ(takes(typed), words + "\n") << typed;
+  for (const auto& [typed, words] : kCompleted)
+    EXPECT_EQ(completed_value(typed), words + "\n") << typed;
 }
 
-TEST_F(ZshCompletion, TakesNoValueForAVerb) {
+TEST_F(ZshCompletion, DoesNotCompleteAValueAsAVerb) {
   if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
-  for (const auto& [typed, words] : kBehindValues) EXPECT_EQ(takes(typed), words + "\n") << typed;
+  for (const auto& [typed, words] : kBehindValues)
+    EXPECT_EQ(completed_value(typed), words + "\n") << typed;
 }
 
 class FishCompletion : public Completion {
@@ -98,7 +102,7 @@ class FishCompletion : public Completion {
   }
 };
 
-TEST_F(FishCompletion, KnowsVerbsOptionsAndValues) {
+TEST_F(FishCompletion, CompletesVerbsOptionsAndValues) {
   if (!has("fish")) GTEST_SKIP() << "fish is not installed";
   EXPECT_THAT(offers("pu"), HasSubstr("push\tone push"));
   EXPECT_THAT(offers("push --s"), HasSubstr("--shape\t.how it rises"));
@@ -107,7 +111,7 @@ TEST_F(FishCompletion, KnowsVerbsOptionsAndValues) {
   EXPECT_THAT(offers("preview pu"), HasSubstr("push"));
 }
 
-TEST_F(FishCompletion, TakesNoValueForAVerb) {
+TEST_F(FishCompletion, DoesNotCompleteAValueAsAVerb) {
   if (!has("fish")) GTEST_SKIP() << "fish is not installed";
   EXPECT_EQ(offers("--address push pre"), "preview\twhat a verb would do\n");
   EXPECT_EQ(offers("--address=push pre"), "preview\twhat a verb would do\n");

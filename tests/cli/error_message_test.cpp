@@ -22,7 +22,7 @@ std::string message_of(std::vector<std::string> words) {
   return "";
 }
 
-TEST(ErrorMessage, NamesTheVerbThatWasMeant) {
+TEST(ErrorMessage, NamesTheNearestVerb) {
   EXPECT_EQ(message_of({"pusj", "left"}),
             "sample: there is no verb 'pusj'; did you mean 'push'?; sample --help says more");
   EXPECT_EQ(message_of({"preview", "pusj"}),
@@ -37,7 +37,7 @@ TEST(ErrorMessage, NamesTheVerbThatWasMeant) {
             "sample: there is no verb 'frobnicate'; sample --help says more");
 }
 
-TEST(ErrorMessage, NamesTheOptionThatWasMeant) {
+TEST(ErrorMessage, NamesTheNearestOption) {
   EXPECT_EQ(
       message_of({"push", "left", "--speeed", "3"}),
       "sample push: '--speeed' is not understood; did you mean '--speed'?; sample push --help "
@@ -50,7 +50,7 @@ TEST(ErrorMessage, NamesTheOptionThatWasMeant) {
             "sample push: '--loud' is not understood; sample push --help says more");
 }
 
-TEST(ErrorMessage, SaysWhatIsMissing) {
+TEST(ErrorMessage, NamesTheMissingArgument) {
   EXPECT_EQ(message_of({}), "sample: a verb is missing; sample --help says more");
   EXPECT_EQ(message_of({"push"}), "sample push: --side is required; sample push --help says more");
   EXPECT_EQ(message_of({"push", "left"}), "");

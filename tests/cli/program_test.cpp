@@ -77,7 +77,7 @@ TEST_F(Sample, SetsTheVariablesThatAreGivenAndNoOthers) {
   EXPECT_TRUE(program_.is_given("play") && program_.has_given_command());
 }
 
-TEST_F(Sample, TakesAnOptionWithoutItsValueAndOneOfTheEnvironment) {
+TEST_F(Sample, AcceptsAnOptionWithoutItsValueAndOneFromTheEnvironment) {
   ::setenv("SAMPLE_SEED", "42", 1);
   EXPECT_EQ(end({"--out"}), "");
   ::unsetenv("SAMPLE_SEED");
@@ -86,7 +86,7 @@ TEST_F(Sample, TakesAnOptionWithoutItsValueAndOneOfTheEnvironment) {
   EXPECT_FALSE(played_ || program_.has_given_command());
 }
 
-TEST_F(Sample, EndsWithASentenceAfterAMistake) {
+TEST_F(Sample, EndsWithASentenceAfterAUsageError) {
   EXPECT_EQ(
       end({"--level", "1.5"}),
       "sample: --level: Value 1.5 not in range 0.000000 to 1.000000; sample --help says more");

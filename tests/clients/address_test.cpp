@@ -28,7 +28,7 @@ std::vector<std::string> places(const std::optional<std::string>& flag, const En
   return all;
 }
 
-TEST(Address, IsReadInTheWaysThatPeopleWriteIt) {
+TEST(Address, IsReadInEveryCommonNotation) {
   const std::map<std::string, std::string> cases{
       {"127.0.0.1:7586", "127.0.0.1:7586"},
       {"ball-host", "ball-host:7586"},
@@ -41,14 +41,14 @@ TEST(Address, IsReadInTheWaysThatPeopleWriteIt) {
       {"tls://ball-host", "tls://ball-host:7586"},
       {"tls://[::1]:80", "tls://[::1]:80"},
   };
-  for (const auto& [text, meant] : cases) {
+  for (const auto& [text, expected] : cases) {
     const auto address = parse_address(text);
     ASSERT_TRUE(address.has_value()) << text;
-    EXPECT_EQ(to_string(*address), meant);
+    EXPECT_EQ(to_string(*address), expected);
   }
 }
 
-TEST(Address, ThatIsNoneIsNamed) {
+TEST(Address, AnInvalidOneIsNamed) {
   for (const char* text : {"", ":7586", "unix:", "host:", "host:0", "host:65536", "host:75x6",
                            "[::1", "[::1]7586", "tcp:"}) {
     const auto address = parse_address(text);
@@ -58,7 +58,7 @@ TEST(Address, ThatIsNoneIsNamed) {
   }
 }
 
-TEST(Daemon, IsFirstLookedForInItsRuntimeDirectoriesThenOnTcp) {
+TEST(Daemon, IsFirstTriedInItsRuntimeDirectoriesThenOnTcp) {
   EXPECT_THAT(places({}, with({})),
               ElementsAre("/run/hedgehog/hedgehogd.sock",
                           "/tmp/hedgehog-" + std::to_string(getuid()) + "/hedgehogd.sock",
@@ -73,14 +73,14 @@ TEST(Daemon, IsFirstLookedForInItsRuntimeDirectoriesThenOnTcp) {
               ElementsAre("/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586"));
 }
 
-TEST(Daemon, IsOnlyWhereTheFlagOrElseTheVariableSays) {
+TEST(Daemon, IsOnlyTriedAtTheFlagOrElseAtTheVariable) {
   const auto environment = with({{"HEDGEHOG_ADDRESS", "[::1]:9"}, {"XDG_RUNTIME_DIR", "/run/u"}});
   EXPECT_THAT(places({}, environment), ElementsAre("[::1]:9"));
   EXPECT_THAT(places("/tmp/a.sock", environment), ElementsAre("/tmp/a.sock"));
   EXPECT_THAT(places({}, with({{"HEDGEHOG_ADDRESS", ""}})), testing::SizeIs(3)) << "empty is unset";
 }
 
-TEST(Daemon, IsShownTheTokenAndKnownByTheFingerprintOfTheEnvironment) {
+TEST(Daemon, GetsTheTokenAndIsVerifiedByTheFingerprintOfTheEnvironment) {
   const std::string fingerprint(64, 'a');
   const auto environment = with({{"HEDGEHOG_ADDRESS", "tls://ball-host"},
                                  {"HEDGEHOG_TOKEN", "hht_secret"},
@@ -99,7 +99,7 @@ TEST(Daemon, IsShownTheTokenAndKnownByTheFingerprintOfTheEnvironment) {
   EXPECT_EQ(wrong.error().failure, Failure::kBadAddress);
 }
 
-TEST(Daemon, IsNotLookedForElsewhereWhenTheAddressIsWrong) {
+TEST(Daemon, IsNotTriedElsewhereWhenTheAddressIsWrong) {
   const auto none = daemon_addresses({}, with({{"HEDGEHOG_ADDRESS", "host:x"}}));
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().failure, Failure::kBadAddress);

@@ -49,7 +49,7 @@ TEST(Ahap, ATransientIsATapAtItsTime) {
   EXPECT_EQ(i.pattern.keyframes.back().t_ms, 425);
 }
 
-TEST(Ahap, AContinuousEventLastsAsLongAsItSays) {
+TEST(Ahap, AContinuousEventLastsForItsDuration) {
   const auto i = import_pattern(ahap(continuous())).value();
   EXPECT_NEAR(level_at(i, 99), 0, 1e-3);
   EXPECT_NEAR(level_at(i, 101), 0.8, 1e-3);
@@ -65,15 +65,15 @@ TEST(Ahap, AttackDecayAndReleaseAreItsEnvelope) {
   EXPECT_NEAR(level_at(held, 300), 0.8, 1e-3);
   EXPECT_NEAR(level_at(held, 600), 0.4, 1e-3);
   EXPECT_EQ(held.pattern.keyframes.back().t_ms, 700);
-  const auto gone =
+  const auto envelope =
       import_pattern(ahap(continuous(value("AttackTime", 0.1) + value("DecayTime", 0.2) +
                                      value("Sustained", 0))))
           .value();
-  EXPECT_NEAR(level_at(gone, 300), 0.4, 1e-3);
-  EXPECT_NEAR(level_at(gone, 450), 0, 1e-3);
+  EXPECT_NEAR(level_at(envelope, 300), 0.4, 1e-3);
+  EXPECT_NEAR(level_at(envelope, 450), 0, 1e-3);
 }
 
-TEST(Ahap, WhatTheEndOfAnEventCutsKeepsItsSteepness) {
+TEST(Ahap, AnEnvelopeCutByTheEndOfItsEventKeepsItsSlope) {
   const auto decay =
       import_pattern(ahap(continuous(value("DecayTime", 0.8) + value("Sustained", 0)))).value();
   EXPECT_NEAR(level_at(decay, 300), 0.6, 1e-3) << "a quarter of the decay";
@@ -89,7 +89,7 @@ TEST(Ahap, WhatTheEndOfAnEventCutsKeepsItsSteepness) {
   EXPECT_NEAR(level_at(released, 600), 0.2, 1e-3) << "from where the decay was";
 }
 
-TEST(Ahap, WhatComesAfterAMinuteIsLeftOutAndSaid) {
+TEST(Ahap, EventsAfterAMinuteAreLeftOutAndReported) {
   const auto late =
       import_pattern(ahap(transient(1, 0.5) + "," + transient(75, 0.5) + "," + transient(90, 1)))
           .value();
@@ -135,7 +135,7 @@ TEST(Ahap, ACurveOverAnAttackIsAParabola) {
   }
 }
 
-TEST(Ahap, WhatDoesNotMapIsSaid) {
+TEST(Ahap, UnsupportedParametersAreReported) {
   const auto i =
       import_pattern(
           ahap(continuous(value("HapticSharpness", 0.5)) + "," + continuous() +
@@ -160,7 +160,7 @@ TEST(Ahap, LongOnesAreSimplifiedNotRefused) {
   EXPECT_THAT(i.notes, Contains(HasSubstr("more than 256")));
 }
 
-TEST(Ahap, CommasBehindALastItemAreReadAndSaid) {
+TEST(Ahap, TrailingCommasAreAcceptedAndReported) {
   const std::string file =
       R"({"Version":1.0,"Metadata":{"Description":"a, b ,] and , }",},"Pattern":[)" +
       transient(0.2, 0.6) + " ,\n ] , }";
@@ -175,10 +175,10 @@ TEST(Ahap, CommasBehindALastItemAreReadAndSaid) {
 }
 
 TEST(TrailingCommas, NothingElseIsTouched) {
-  for (const std::string kept :
+  for (const std::string unchanged :
        {R"("a,]")", R"(["\\",1])", R"("\",}")", R"([1,,])", R"([,])", R"({"a":,})", "[1,", R"("a,)",
         R"("\)", R"({"a,":[1,2,{"b":","}]})", ""})
-    EXPECT_EQ(without_trailing_commas(kept), kept);
+    EXPECT_EQ(without_trailing_commas(unchanged), unchanged);
   EXPECT_EQ(without_trailing_commas(R"(["\\",])"), R"(["\\" ])");
   EXPECT_EQ(without_trailing_commas("{\"a\":[1,\t\n],}"), "{\"a\":[1 \t\n] }");
   EXPECT_EQ(without_trailing_commas("[[],{},\"\",]"), "[[],{},\"\" ]");
@@ -191,7 +191,7 @@ RC_GTEST_PROP(TrailingCommas, EveryTextKeepsItsLengthAndAllButCommas, (const std
     RC_ASSERT(made[i] == text[i] || (text[i] == ',' && made[i] == ' '));
 }
 
-TEST(Ahap, ComplaintsNameWhatIsWrong) {
+TEST(Ahap, ErrorsNameTheInvalidValue) {
   EXPECT_THAT(import_pattern("{").error().message, HasSubstr("not JSON"));
   EXPECT_THAT(import_pattern(ahap(transient(0, 1)) + '\0' + "garbage").error().message,
               HasSubstr("NUL at byte"));
@@ -229,7 +229,7 @@ std::string random_entry() {
          R"(,"ParameterCurveControlPoints":[)" + points + "]}}";
 }
 
-RC_GTEST_PROP(AhapLaw, WhatIsImportedIsWhatTheDaemonTakes, ()) {
+RC_GTEST_PROP(AhapLaw, ImportedPatternsAreAcceptedByTheDaemon, ()) {
   std::string entries = transient(some(0, 59), 1);
   for (int n = *rc::gen::inRange(0, 40); n > 0; --n) entries += "," + random_entry();
   const auto imported = import_pattern(ahap(entries));

@@ -13,7 +13,7 @@
 namespace hedgehog::client {
 namespace {
 
-TEST(InAscii, WritesOurCharactersInAscii) {
+TEST(InAscii, WritesThePrintedCharactersInAscii) {
   EXPECT_EQ(in_ascii("41.2 °C"), "41.2 C");
   EXPECT_EQ(in_ascii("tilted 12° left"), "tilted 12 deg left");
   EXPECT_EQ(in_ascii("ball · armed, 12 µs, thermometer_disa…"),
@@ -21,7 +21,7 @@ TEST(InAscii, WritesOurCharactersInAscii) {
   EXPECT_EQ(in_ascii("plain"), "plain");
 }
 
-TEST(InAscii, LeavesWhatCameFromOutside) { EXPECT_EQ(in_ascii("Gäste"), "Gäste"); }
+TEST(InAscii, LeavesExternalTextUnchanged) { EXPECT_EQ(in_ascii("Gäste"), "Gäste"); }
 
 bool is_ascii(const std::string& text) {
   return std::all_of(
@@ -34,7 +34,7 @@ bool is_not_printed(const std::string& path) {
   return path.ends_with("/terminal/bar.cpp") || path.ends_with("/report/html.cpp");
 }
 
-TEST(InAscii, KnowsEachCharacterThatTheSourcesPrint) {
+TEST(InAscii, CoversEachCharacterThatTheSourcesPrint) {
   int seen = 0;
   for (const char* folder : {"/clients", "/daemon/server", "/protocol"}) {
     for (const auto& entry :

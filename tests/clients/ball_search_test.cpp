@@ -58,7 +58,7 @@ std::string balls_text(const std::vector<DiscoveredBall>& balls) {
   return all.dump();
 }
 
-TEST(MdnsAnswers, AreThoseOfTheVectors) {
+TEST(MdnsAnswers, MatchTheVectors) {
   for (const json& one : vectors()["searches"]) {
     mdns::Answers answers(vector_id());
     for (const json& packet : one["packets"]) answers.read(from_hex(packet));
@@ -67,7 +67,7 @@ TEST(MdnsAnswers, AreThoseOfTheVectors) {
   }
 }
 
-TEST(MdnsAnswers, OfAResponseThatIsCutAnywhereAreNone) {
+TEST(MdnsAnswers, OfATruncatedResponseAreNone) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (const json& hex : vectors()["searches"][i]["packets"]) {
       const std::string packet = from_hex(hex);
@@ -94,7 +94,7 @@ TEST(MdnsAnswers, OfAFloodAreBounded) {
   EXPECT_LE(answers.query().size(), 1200u);
 }
 
-TEST(ChosenBall, IsThatOfTheVectors) {
+TEST(ChosenBall, MatchesTheVectors) {
   for (const json& one : vectors()["choices"]) {
     const auto chosen = chosen_ball(one["asked"].get<std::string>(), balls_of(one));
     if (one.contains("error")) {
@@ -110,7 +110,7 @@ TEST(ChosenBall, IsThatOfTheVectors) {
   }
 }
 
-TEST(MdnsAddress, IsThatOfTheVectors) {
+TEST(MdnsAddress, MatchesTheVectors) {
   for (const json& one : vectors()["addresses"]) {
     const auto addresses = daemon_addresses(one["text"].get<std::string>(), [&](const auto& name) {
       return name == "HEDGEHOG_FINGERPRINT" ? text_or_null(one["fingerprint"]) : std::nullopt;
@@ -134,22 +134,22 @@ Address mdns_address(const std::string& name) {
 
 class BallSearchOnLoopback : public testing::Test {
  protected:
-  static void ask(const MdnsResponder& responder) {
+  static void send_query(const MdnsResponder& responder) {
     ::setenv("HEDGEHOG_MDNS_PORT", std::to_string(responder.port()).c_str(), 1);
   }
   ~BallSearchOnLoopback() override { ::unsetenv("HEDGEHOG_MDNS_PORT"); }
 };
 
-TEST_F(BallSearchOnLoopback, ListsWhatAnswers) {
+TEST_F(BallSearchOnLoopback, ListsTheRespondingBalls) {
   const MdnsResponder responder(mdns_announcement("192.0.2.7", 7586));
-  ask(responder);
+  send_query(responder);
   EXPECT_EQ(balls_text(discover(Milliseconds(2000)).value()),
             R"([["ball-7","lab.local","tls://192.0.2.7:7586","0007","1.0"]])");
 }
 
 TEST_F(BallSearchOnLoopback, KeepsTokenAndFingerprintOfTheAddress) {
   const MdnsResponder responder(mdns_announcement("192.0.2.7", 7586));
-  ask(responder);
+  send_query(responder);
   const auto located = locate({{.path = "/a.sock"}, mdns_address("0007")}).value();
   ASSERT_EQ(located.size(), 2u);
   EXPECT_EQ(located[0], Address{.path = "/a.sock"});
@@ -158,9 +158,9 @@ TEST_F(BallSearchOnLoopback, KeepsTokenAndFingerprintOfTheAddress) {
   EXPECT_EQ(located[1].token, "secret");
 }
 
-TEST_F(BallSearchOnLoopback, FindsNoBallThatDoesNotAnswer) {
+TEST_F(BallSearchOnLoopback, FindsNoBallThatDoesNotRespond) {
   const MdnsResponder silent("");
-  ask(silent);
+  send_query(silent);
   const auto located = locate({mdns_address("")});
   ASSERT_FALSE(located.has_value());
   EXPECT_EQ(located.error().message, "no ball answers on this network (mDNS, 1 s)");
@@ -169,10 +169,10 @@ TEST_F(BallSearchOnLoopback, FindsNoBallThatDoesNotAnswer) {
   EXPECT_EQ(locate({unknown}).error().failure, Failure::kBadAddress);
 }
 
-TEST_F(BallSearchOnLoopback, GivesABallItsAddress) {
+TEST_F(BallSearchOnLoopback, ResolvesTheAddressOfABall) {
   // No listener there: the error contains the address used.
   MdnsResponder responder(mdns_announcement("127.0.0.1", 9), true);
-  ask(responder);
+  send_query(responder);
   hedgehog::Ball ball({mdns_address("ball-7")});
   ball.update();
   EXPECT_EQ(ball.problem(), "") << "a frame does not wait for the search";
@@ -186,9 +186,9 @@ TEST_F(BallSearchOnLoopback, GivesABallItsAddress) {
   EXPECT_EQ(connection.error().message, "no daemon answers at tls://127.0.0.1:9");
 }
 
-TEST_F(BallSearchOnLoopback, ReportsToAGameWhyThereIsNoBall) {
+TEST_F(BallSearchOnLoopback, ReportsWhyNoBallWasFound) {
   const MdnsResponder responder(mdns_announcement("127.0.0.1", 9));
-  ask(responder);
+  send_query(responder);
   hedgehog::Ball ball({mdns_address("ball-3")});
   const auto opened = ball.open();
   ASSERT_FALSE(opened.has_value());

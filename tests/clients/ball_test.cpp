@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using client::Failure;
 using client::FakeDaemon;
 using client::FakePeer;
-using client::kLongPatience;
+using client::kLongTimeout;
 using client::Notification;
 using client::SilentPort;
 using testing::HasSubstr;
@@ -30,7 +30,7 @@ constexpr const char* kWelcome =
 constexpr const char* kArmedEvent =
     R"({"jsonrpc":"2.0","method":"event","params":{"type":"armed","time_ns":7}})";
 
-BallOptions patient() { return {.name = "test", .patience = kLongPatience}; }
+BallOptions long_timeout() { return {.name = "test", .timeout = kLongTimeout}; }
 
 /// Runs a frame loop until the condition holds. The test's timeout ends a loop that never gets
 /// there.
@@ -49,7 +49,7 @@ TEST(Ball, ConnectsWhileFramesGoOn) {
     peer.send_line(kWelcome);
     rumbled = peer.read();
   });
-  Ball ball({SilentPort().address(), daemon.address()}, patient());
+  Ball ball({SilentPort().address(), daemon.address()}, long_timeout());
   EXPECT_FALSE(ball.rumble("engine", 0.5)) << "nobody is there yet";
   frames(ball, [&] { return ball.connected(); });
   EXPECT_EQ(ball.hello().limits.felt_a, 2.1);
@@ -61,30 +61,30 @@ TEST(Ball, ConnectsWhileFramesGoOn) {
   EXPECT_THAT(rumbled, testing::Not(HasSubstr("\"id\"")));
 }
 
-TEST(Ball, SaysThatTheDaemonDoesNotRun) {
+TEST(Ball, ReportsThatTheDaemonDoesNotRun) {
   const SilentPort silent;
-  Ball ball({silent.address()}, patient());
+  Ball ball({silent.address()}, long_timeout());
   frames(ball, [&] { return !ball.problem().empty(); });
   EXPECT_EQ(ball.problem(),
             "the daemon does not run: " + to_string(silent.address()) + ": connection refused");
   EXPECT_FALSE(ball.connected());
   EXPECT_GT(ball.retry_after(), 0ms);
-  const auto soon = ball.call(protocol::Ping{});
-  ASSERT_FALSE(soon.has_value());
-  EXPECT_EQ(soon.error().failure, Failure::kNoDaemon);
+  const auto retried = ball.call(protocol::Ping{});
+  ASSERT_FALSE(retried.has_value());
+  EXPECT_EQ(retried.error().failure, Failure::kNoDaemon);
 }
 
-TEST(Ball, EndsAConnectionWhoseIntroductionIsNotAnswered) {
+TEST(Ball, EndsAConnectionWithoutAResponseToHello) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     EXPECT_EQ(peer.read(), "") << "the client has closed";
   });
-  Ball ball({daemon.address()}, {.name = "test", .patience = 50ms});
+  Ball ball({daemon.address()}, {.name = "test", .timeout = 50ms});
   frames(ball, [&] { return !ball.problem().empty(); });
   EXPECT_THAT(ball.problem(), HasSubstr("no response within 0.1 s"));
 }
 
-TEST(Ball, AnswersComeAFewFramesLater) {
+TEST(Ball, ResponsesArriveAFewFramesLater) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(kWelcome);
@@ -93,39 +93,39 @@ TEST(Ball, AnswersComeAFewFramesLater) {
     peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":42}})");
     peer.read();
   });
-  Ball ball({daemon.address()}, patient());
+  Ball ball({daemon.address()}, long_timeout());
   frames(ball, [&] { return ball.connected(); });
-  const auto asked = ball.ask(protocol::Ping{});
+  const auto id = ball.request(protocol::Ping{});
   std::optional<protocol::Reply> reply;
-  frames(ball, [&] { return (reply = ball.answer()).has_value(); });
-  EXPECT_EQ(reply->id, asked);
+  frames(ball, [&] { return (reply = ball.response()).has_value(); });
+  EXPECT_EQ(reply->id, id);
   const auto event = ball.next();
   ASSERT_TRUE(event.has_value());
   EXPECT_EQ(std::get<protocol::EventMessage>(*event).event.time_ns, 7);
   EXPECT_FALSE(ball.next().has_value());
 }
 
-TEST(Ball, AnswersEndWithTheirConnectionBecauseTheNextOneCountsAnew) {
+TEST(Ball, ResponsesEndWithTheirConnectionBecauseTheNextOneNumbersAnew) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(kWelcome);
     peer.read();
     peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":42}})");
   });
-  Ball ball({daemon.address()}, patient());
+  Ball ball({daemon.address()}, long_timeout());
   frames(ball, [&] { return ball.connected(); });
-  ball.ask(protocol::Ping{});
+  ball.request(protocol::Ping{});
   frames(ball, [&] { return !ball.connected(); });
-  EXPECT_FALSE(ball.answer().has_value());
+  EXPECT_FALSE(ball.response().has_value());
 }
 
-TEST(Ball, SaysWhatTheDaemonSaidOfTheConnection) {
+TEST(Ball, ReportsTheDaemonsErrorAboutTheConnection) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(
         R"({"jsonrpc":"2.0","id":null,"error":{"code":-32001,"message":"64 are connected"}})");
   });
-  Ball ball({daemon.address()}, patient());
+  Ball ball({daemon.address()}, long_timeout());
   const auto opened = ball.open();
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().message,
@@ -133,7 +133,7 @@ TEST(Ball, SaysWhatTheDaemonSaidOfTheConnection) {
             "(it said: 64 are connected)");
 }
 
-TEST(Ball, ARequestThatIsTooLongEndsNoConnection) {
+TEST(Ball, ARequestThatIsTooLongDoesNotEndTheConnection) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(kWelcome);
@@ -141,7 +141,7 @@ TEST(Ball, ARequestThatIsTooLongEndsNoConnection) {
     peer.send_line(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":42}})");
     peer.read();
   });
-  Ball ball({daemon.address()}, patient());
+  Ball ball({daemon.address()}, long_timeout());
   const auto refused = ball.call_raw("ping", "{\"x\":\"" + std::string(70'000, 'x') + "\"}");
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(refused.error().message, StartsWith("the request is longer than 64 KiB"));
@@ -157,7 +157,7 @@ void accept_events(FakePeer& peer) {
 }
 
 /// Rejects the renewed subscription, and continues.
-void refuse_events(FakePeer& peer) {
+void reject_events(FakePeer& peer) {
   peer.read();
   peer.send_line(kWelcome);
   EXPECT_THAT(peer.read(), HasSubstr("events.subscribe"));
@@ -170,8 +170,8 @@ void refuse_events(FakePeer& peer) {
 
 TEST(Ball, ReportsASubscriptionThatTheNextDaemonRefuses) {
   FakeDaemon first(accept_events);
-  FakeDaemon second(refuse_events);
-  Ball ball({first.address(), second.address()}, patient());
+  FakeDaemon second(reject_events);
+  Ball ball({first.address(), second.address()}, long_timeout());
   ASSERT_TRUE(ball.call_raw("events.subscribe", ""));
   first.finish();
   frames(ball, [&] { return ball.connections() == 2; });
@@ -181,14 +181,14 @@ TEST(Ball, ReportsASubscriptionThatTheNextDaemonRefuses) {
   EXPECT_EQ(refused->message, "events.subscribe: forbidden: not any more");
   EXPECT_EQ(refused->refusal->code, protocol::ErrorCode::kForbidden);
   EXPECT_FALSE(ball.refused_renewal().has_value()) << "once";
-  EXPECT_FALSE(ball.answer().has_value()) << "nobody asked for that response";
+  EXPECT_FALSE(ball.response().has_value()) << "nobody asked for that response";
   EXPECT_EQ(ball.call(protocol::Ping{}).value().time_ns, 42) << "the connection goes on";
 }
 
 TEST(ThreadedBall, ReportsASubscriptionThatTheNextDaemonRefuses) {
   FakeDaemon first(accept_events);
-  FakeDaemon second(refuse_events);
-  ThreadedBall ball({first.address(), second.address()}, patient());
+  FakeDaemon second(reject_events);
+  ThreadedBall ball({first.address(), second.address()}, long_timeout());
   ASSERT_TRUE(ball.call_raw("events.subscribe", "").get());
   first.finish();
   std::optional<client::ClientError> refused;
@@ -217,7 +217,7 @@ TEST(ThreadedBall, PlaysFromAnyThreadWithoutWaiting) {
     lines.push_back(peer.read());
   });
   {
-    ThreadedBall ball({daemon.address()}, patient());
+    ThreadedBall ball({daemon.address()}, long_timeout());
     EXPECT_EQ(ball.call(protocol::Ping{}).get().value().time_ns, 42);
     while (!ball.connected()) std::this_thread::yield();
     EXPECT_TRUE(ball.rumble("engine", 1.0));
@@ -234,7 +234,7 @@ TEST(ThreadedBall, PlaysFromAnyThreadWithoutWaiting) {
 
 TEST(ThreadedBall, EndsWithoutADaemon) {
   const SilentPort silent;
-  ThreadedBall ball({silent.address()}, patient());
+  ThreadedBall ball({silent.address()}, long_timeout());
   while (ball.problem().empty()) std::this_thread::yield();
   EXPECT_FALSE(ball.rumble("engine", 1.0));
   EXPECT_EQ(ball.call(protocol::Ping{}).get().error().failure, Failure::kNoDaemon);

@@ -18,9 +18,9 @@ using protocol::Id;
 using testing::HasSubstr;
 
 /// Returns one response after the other.
-class Answers {
+class ScriptedResponses {
  public:
-  explicit Answers(FakePeer& peer) : peer_(peer) {}
+  explicit ScriptedResponses(FakePeer& peer) : peer_(peer) {}
   template <class Value>
   std::string give(const Value& value) {
     const std::string request = peer_.read();
@@ -69,16 +69,16 @@ struct BoardFlash : testing::Test {
 };
 
 TEST_F(BoardFlash, PrintsTheFirmwareBeforeAndAfter) {
-  std::string asked;
+  std::string request;
   FakeDaemon daemon([&](FakePeer& peer) {
-    Answers answers(peer);
-    answers.give(protocol::HelloResult{});
-    answers.give(board(true, "1.02"));
-    answers.give(status("disarmed"));
-    asked = answers.give(protocol::StateResult{"absent", "boot_loader", {}, 7});
-    answers.give(board(false, ""));
-    answers.give(board(true, "1.03"));
-    answers.give(status("disarmed"));
+    ScriptedResponses responses(peer);
+    responses.give(protocol::HelloResult{});
+    responses.give(board(true, "1.02"));
+    responses.give(status("disarmed"));
+    request = responses.give(protocol::StateResult{"absent", "boot_loader", {}, 7});
+    responses.give(board(false, ""));
+    responses.give(board(true, "1.03"));
+    responses.give(status("disarmed"));
   });
   testing::internal::CaptureStdout();
   EXPECT_EQ(flash(daemon, false), kDone);
@@ -92,18 +92,18 @@ TEST_F(BoardFlash, PrintsTheFirmwareBeforeAndAfter) {
                                                         "  protocol  1.2 → 1.2\n"
                                                         "  disarmed  Run: hedgehogctl arm\n");
   daemon.finish();
-  EXPECT_THAT(asked, HasSubstr("device.enter_boot_loader"));
+  EXPECT_THAT(request, HasSubstr("device.enter_boot_loader"));
   EXPECT_EQ(folder.read("RPI-RP2/hedgehog.uf2"), Uf2Sample::pages(2).text());
 }
 
-TEST_F(BoardFlash, ABoardThatIsInItsBootLoaderAlreadyIsNotAsked) {
+TEST_F(BoardFlash, ABoardAlreadyInItsBootLoaderGetsNoRequest) {
   FakeDaemon daemon([&](FakePeer& peer) {
-    Answers answers(peer);
-    answers.give(protocol::HelloResult{});
-    answers.give(board(false, ""));
-    answers.give(status("absent"));
-    answers.give(board(true, "1.03"));
-    answers.give(status("disarmed"));
+    ScriptedResponses responses(peer);
+    responses.give(protocol::HelloResult{});
+    responses.give(board(false, ""));
+    responses.give(status("absent"));
+    responses.give(board(true, "1.03"));
+    responses.give(status("disarmed"));
   });
   testing::internal::CaptureStdout();
   EXPECT_EQ(flash(daemon, true), kDone);
@@ -116,18 +116,18 @@ TEST_F(BoardFlash, ABoardThatIsInItsBootLoaderAlreadyIsNotAsked) {
                 "\n");
 }
 
-TEST_F(BoardFlash, ABoardThatDoesNotComeBackIsAFailure) {
+TEST_F(BoardFlash, ABoardThatDoesNotReturnIsAFailure) {
   options.wait_s = 0.0;
   FakeDaemon daemon([&](FakePeer& peer) {
-    Answers answers(peer);
-    answers.give(protocol::HelloResult{});
-    answers.give(board(true, "1.02"));
-    answers.give(status("disarmed"));
-    answers.give(protocol::StateResult{"absent", "boot_loader", {}, 7});
-    answers.give(board(false, ""));
-    auto gone = status("absent");
-    gone.remedy = "Plug in the ball";
-    answers.give(gone);
+    ScriptedResponses responses(peer);
+    responses.give(protocol::HelloResult{});
+    responses.give(board(true, "1.02"));
+    responses.give(status("disarmed"));
+    responses.give(protocol::StateResult{"absent", "boot_loader", {}, 7});
+    responses.give(board(false, ""));
+    auto absent = status("absent");
+    absent.remedy = "Plug in the ball";
+    responses.give(absent);
   });
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();

@@ -39,7 +39,7 @@ struct BootVolume : testing::Test {
   }
 };
 
-TEST_F(BootVolume, IsKnownByItsInfo) {
+TEST_F(BootVolume, IsIdentifiedByItsInfoFile) {
   EXPECT_TRUE(is_boot_volume(volume("pico")));
   EXPECT_FALSE(
       is_boot_volume(volume("pico2", "Model: Raspberry Pi RP2350\r\nBoard-ID: RP2350\r\n")));
@@ -69,7 +69,7 @@ TEST_F(BootVolume, IsFoundAmongFatFileSystems) {
   EXPECT_THAT(boot_volumes(""), IsEmpty());
 }
 
-TEST_F(BootVolume, TakesACopy) {
+TEST_F(BootVolume, ReceivesACopy) {
   const std::string pico = volume("pico");
   const std::string content(100'000, 'x');
   EXPECT_EQ(copy_to_volume(pico, content), "");
@@ -78,7 +78,7 @@ TEST_F(BootVolume, TakesACopy) {
   EXPECT_EQ(folder.read("pico/hedgehog.uf2"), "shorter");
 }
 
-TEST_F(BootVolume, SaysWhyItTookNone) {
+TEST_F(BootVolume, ReportsWhyNothingWasCopied) {
   EXPECT_EQ(copy_to_volume(folder.path("gone"), "x"),
             folder.path("gone") + "/hedgehog.uf2 cannot be written: No such file or directory");
   const std::string pico = volume("pico");
@@ -87,7 +87,7 @@ TEST_F(BootVolume, SaysWhyItTookNone) {
   EXPECT_THAT(copy_to_volume(pico, "x"), HasSubstr("cannot be written: No space left on device"));
 }
 
-TEST_F(BootVolume, OneIsWrittenTwoAreNot) {
+TEST_F(BootVolume, IsWrittenOnlyIfItIsTheOnlyOne) {
   const std::string first = volume("first");
   const std::string second = volume("second");
   const auto two = load_image(load({first, second}));
@@ -101,7 +101,7 @@ TEST_F(BootVolume, OneIsWrittenTwoAreNot) {
   EXPECT_EQ(folder.read("first/hedgehog.uf2"), "image");
 }
 
-TEST_F(BootVolume, TheOneThatIsNamedCountsAlone) {
+TEST_F(BootVolume, OnlyTheNamedOneIsUsed) {
   ImageLoad named = load({volume("first")});
   named.volume = folder.path("second");
   const auto missing = load_image(named);
@@ -117,17 +117,17 @@ TEST_F(BootVolume, TheOneThatIsNamedCountsAlone) {
 }
 
 TEST_F(BootVolume, IsWaitedFor) {
-  int looks = 0;
+  int polls = 0;
   ImageLoad later = load({});
   later.timeout = std::chrono::minutes(1);
   later.volumes = [&] {
-    return ++looks < 3 ? std::vector<std::string>() : std::vector{volume("pico")};
+    return ++polls < 3 ? std::vector<std::string>() : std::vector{volume("pico")};
   };
   EXPECT_TRUE(load_image(later));
-  EXPECT_EQ(looks, 3);
+  EXPECT_EQ(polls, 3);
 }
 
-TEST_F(BootVolume, ACopyThatFailsIsOne) {
+TEST_F(BootVolume, AFailedCopyIsReported) {
   const std::string pico = volume("pico");
   std::filesystem::create_symlink("/dev/full", pico + "/hedgehog.uf2");
   const auto full = load_image(load({pico}));

@@ -23,19 +23,19 @@ namespace {
 // mA.
 std::vector<WindingSample> driven(double r, double l, double frequency_hz, double offset_a) {
   std::vector<WindingSample> seen;
-  const double keep = std::exp(-r * 1e-3 / l);
+  const double decay = std::exp(-r * 1e-3 / l);
   double current_a = 0.0;
   for (int ms = 0; ms < 1400; ++ms) {
     const double t_s = 1e-3 * ms;
     const double v = 0.3 + 0.5 * std::sin(2.0 * std::numbers::pi * frequency_hz * t_s);
-    current_a = keep * current_a + (1.0 - keep) / r * v;
+    current_a = decay * current_a + (1.0 - decay) / r * v;
     if (ms >= 200 && ms % 5 == 0)
       seen.push_back({t_s, std::round(1000.0 * current_a) / 1000.0 + offset_a, v});
   }
   return seen;
 }
 
-RC_GTEST_PROP(WindingFit, FindsWhatTheWindingIs, ()) {
+RC_GTEST_PROP(WindingFit, FindsResistanceAndInductance, ()) {
   const double r = *rc::gen::inRange(20, 200) / 100.0;
   const double l = *rc::gen::inRange(30, 400) / 1e5;
   // a current that decays within the millisecond gives no information about L
@@ -46,7 +46,7 @@ RC_GTEST_PROP(WindingFit, FindsWhatTheWindingIs, ()) {
   RC_ASSERT(std::abs(found->inductance_h / l - 1.0) < 0.02);
 }
 
-TEST(WindingFit, AConstantErrorOfTheSensorFallsOut) {
+TEST(WindingFit, AConstantErrorOfTheSensorCancels) {
   const std::vector<WindingSample> forth(10, {0.0, 1.0 + 0.07, 0.45});
   const std::vector<WindingSample> back(10, {0.0, -1.0 + 0.07, -0.45});
   EXPECT_NEAR(*steady_resistance(forth, back), 0.45, 1e-9);
@@ -65,7 +65,7 @@ TEST(WindingFit, TheErrorFollowsTheScatterOfTheCurrents) {
   EXPECT_NEAR(steady_resistance_error(forth, back), 0.04 / 2.0 * std::sqrt(2.0 / 100.0), 5e-5);
 }
 
-TEST(WindingFit, NoiseAndTooFewSamplesAreNoWinding) {
+TEST(WindingFit, NoiseAndTooFewSamplesAreRejected) {
   EXPECT_FALSE(sine_impedance({}, 47.0));
   std::vector<WindingSample> flat(100, {0.0, 1.0, 0.45});
   for (std::size_t i = 0; i < flat.size(); ++i) flat[i].t_s = 5e-3 * static_cast<double>(i);
@@ -88,14 +88,14 @@ TEST(Pushed, EachWindingOnAnAxisOfItsOwn) {
   EXPECT_FALSE(read_pushed({"x=front", "y=back", "z=up"}));
 }
 
-TEST(Pushed, AnswersAreTakenAsPeopleGiveThem) {
+TEST(Pushed, AnswersMayBeAbbreviated) {
   for (const char* answer : {"left", "Left", " l", "LE\r", "lef "})
     EXPECT_EQ(side_meant(answer), "left") << answer;
   for (const char* answer : {"", " ", "lft", "lefty", "x", "up down", "-"})
     EXPECT_EQ(side_meant(answer), "") << answer;
 }
 
-TEST(Pushed, TwoOnOneAxisAndLeftHandsAreSeen) {
+TEST(Pushed, TwoOnOneAxisAndLeftHandedAxesAreDetected) {
   EXPECT_EQ(same_axis({{"left", "front", "right"}}, 2), 0u);
   EXPECT_EQ(same_axis({{"left", "front", "up"}}, 2), std::nullopt);
   EXPECT_EQ(same_axis({{"left", "", ""}}, 0), std::nullopt);
@@ -106,7 +106,7 @@ TEST(Pushed, TwoOnOneAxisAndLeftHandsAreSeen) {
   EXPECT_FALSE(is_left_handed({}));
 }
 
-TEST(WindingTrouble, IsNamedWithWhatToDo) {
+TEST(WindingProblem, IsNamedWithARemedy) {
   using testing::HasSubstr;
   constexpr std::array<double, 3> kForth{0.3, 0.04, 0.0};
   constexpr std::array<double, 3> kBack{-0.3, 0.04, 0.0};
@@ -129,7 +129,7 @@ struct FakeBall {
     std::int64_t now_ms = 1000;
     std::int64_t flows_from_ms = 1'000'000;
     bool subscribed = false;
-    const auto tell_until = [&](std::int64_t until_ms) {
+    const auto send_until = [&](std::int64_t until_ms) {
       for (; now_ms < until_ms; now_ms += every_ms) {
         if (!subscribed) continue;
         protocol::Status status;
@@ -149,7 +149,7 @@ struct FakeBall {
       const auto request = nlohmann::json::parse(line);
       const std::string method = request["method"];
       const protocol::Id id{request["id"].dump()};
-      tell_until(now_ms + 150);
+      send_until(now_ms + 150);
       if (method == "ping") {
         peer.send_line(protocol::encode_result(id, protocol::PingResult{1'000'000 * now_ms}));
       } else if (method == "device.claim") {
@@ -157,11 +157,11 @@ struct FakeBall {
       } else if (method == "effect.hold") {
         flows_from_ms = now_ms + 100;
         peer.send_line(protocol::encode_result(id, protocol::Admission{}));
-        if (subscribed) tell_until(now_ms + 150 * every_ms);
+        if (subscribed) send_until(now_ms + 150 * every_ms);
       } else if (method == "telemetry.subscribe") {
         subscribed = true;
         peer.send_line(protocol::encode_result(id, protocol::TelemetryResult{}));
-        if (flows_from_ms < 1'000'000) tell_until(now_ms + 150 * every_ms);
+        if (flows_from_ms < 1'000'000) send_until(now_ms + 150 * every_ms);
       } else if (method == "effect.stop_all") {
         subscribed = false;
         peer.send_line(protocol::encode_result(id, protocol::StopResult{}));
@@ -185,28 +185,28 @@ struct Held {
   std::optional<std::string> tripped;
 };
 
-TEST(WindingBench, CountsOnlyWhatWasToldOnceTheCurrentFlowed) {
+TEST(WindingBench, CountsOnlyTelemetryAfterTheCurrentFlowed) {
   const Held held({.every_ms = 5});
   ASSERT_TRUE(held.record) << held.record.error().message;
   EXPECT_GE(held.record->samples.size(), 35u);
   EXPECT_DOUBLE_EQ(held.record->mean_a[0], 0.3);
 }
 
-TEST(WindingBench, GoesOnUntilItHasSeenEnough) {
+TEST(WindingBench, ContinuesUntilItHasEnoughSamples) {
   const Held held({.every_ms = 100});
   ASSERT_TRUE(held.record) << held.record.error().message;
   EXPECT_EQ(held.record->samples.size(), 20u);
   EXPECT_DOUBLE_EQ(held.record->mean_a[0], 0.3);
 }
 
-TEST(WindingBench, TooLittleTelemetryIsNoEmptyPlug) {
+TEST(WindingBench, TooLittleTelemetryIsNoOpenWinding) {
   const Held held({.every_ms = 300});
   ASSERT_FALSE(held.record);
   EXPECT_EQ(held.record.error().failure, Failure::kTimeout);
   EXPECT_THAT(held.record.error().message, testing::HasSubstr("too sparsely"));
 }
 
-TEST(WindingBench, TellsATripFromAnotherEnd) {
+TEST(WindingBench, DistinguishesATripFromAnotherEnd) {
   const Held tripped({.state = "tripped", .reason = "current_mismatch"});
   EXPECT_FALSE(tripped.record);
   EXPECT_EQ(tripped.tripped, "current_mismatch");

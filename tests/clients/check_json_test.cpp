@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(CheckJson, HasThePartsOfTheLine) {
+TEST(CheckJson, HasTheFieldsOfTheLine) {
   const json object = json::parse(check_json(
       {1,
        "HEDGEHOG WARNING - ball armed, derated, 61.2 C, 9.0 A allowed | temperature=61.2;60;70 "
@@ -26,7 +26,7 @@ TEST(CheckJson, HasThePartsOfTheLine) {
   EXPECT_EQ(object["measures"], measures);
 }
 
-TEST(CheckJson, BearsALineWithoutMeasures) {
+TEST(CheckJson, AcceptsALineWithoutMeasures) {
   const json object = json::parse(check_json({2, "HEDGEHOG CRITICAL - no daemon answers - at a"}));
   EXPECT_EQ(object["state"], "CRITICAL");
   EXPECT_EQ(object["message"], "no daemon answers - at a");

@@ -24,7 +24,7 @@ Ball well() {
   return ball;
 }
 
-TEST(CheckScreen, ABallThatIsWell) {
+TEST(CheckScreen, AHealthyBall) {
   const Check check = check_screen(well(), 2);
   EXPECT_EQ(check.code, 0);
   EXPECT_EQ(check.line,
@@ -34,7 +34,7 @@ TEST(CheckScreen, ABallThatIsWell) {
   EXPECT_THAT(check_screen(well(), {}).line, testing::EndsWith("lateness=60us;500"));
 }
 
-TEST(CheckScreen, WhatIsWrongIsNamedTheWorstFirst) {
+TEST(CheckScreen, ProblemsAreListedWorstFirst) {
   Ball ball = well();
   const auto expect = [&](int code, const std::string& begin) {
     const Check check = check_screen(ball, {});

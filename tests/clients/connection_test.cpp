@@ -24,7 +24,7 @@ std::string telemetry(int time_ns) {
 }
 
 Connection connect(const FakeDaemon& daemon) {
-  return Connection::open({daemon.address()}, kLongPatience).value();
+  return Connection::open({daemon.address()}, kLongTimeout).value();
 }
 
 std::int64_t time_of(const Notification& notification) {
@@ -33,46 +33,46 @@ std::int64_t time_of(const Notification& notification) {
   return std::get<protocol::TelemetryMessage>(notification).telemetry.status.time_ns;
 }
 
-TEST(Open, SaysWhereItLooked) {
+TEST(Open, NamesTheAddressesTried) {
   const SilentPort silent;
-  const auto none = Connection::open({{.path = "/nowhere.sock"}, silent.address()}, kLongPatience);
+  const auto none = Connection::open({{.path = "/nowhere.sock"}, silent.address()}, kLongTimeout);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
   EXPECT_EQ(none.error().message,
             "no daemon answers at /nowhere.sock or " + to_string(silent.address()));
 }
 
-TEST(Open, SaysWhatElseIsWrong) {
+TEST(Open, NamesOtherErrors) {
   const auto none = Connection::open({{.path = std::string(200, 'x')}}, 200ms);
   EXPECT_THAT(none.error().message, HasSubstr("x (file name too long)"));
 }
 
-TEST(Open, TakesTheFirstThatAnswers) {
+TEST(Open, UsesTheFirstAddressThatAccepts) {
   FakeDaemon daemon([](FakePeer& peer) { peer.read(); });
-  auto ball = Connection::open({SilentPort().address(), daemon.address()}, kLongPatience);
+  auto ball = Connection::open({SilentPort().address(), daemon.address()}, kLongTimeout);
   ASSERT_TRUE(ball.has_value());
   EXPECT_EQ(ball->address(), daemon.address());
 }
 
-TEST(Open, SpeaksOverAUnixSocketToo) {
+TEST(Open, WorksOverAUnixSocketToo) {
   const TemporaryFolder folder;
   const std::string path = folder.path("hedgehogd.sock");
   FakeDaemon daemon(path, [](FakePeer& peer) {
     peer.read();
     peer.send_line(kPong);
   });
-  auto ball = Connection::open({{.path = path}}, kLongPatience);
+  auto ball = Connection::open({{.path = path}}, kLongTimeout);
   ASSERT_TRUE(ball.has_value());
-  EXPECT_EQ(ball->call(protocol::Ping{}, kLongPatience).value().time_ns, 42);
+  EXPECT_EQ(ball->call(protocol::Ping{}, kLongTimeout).value().time_ns, 42);
 }
 
-TEST(Reopen, GivesUpWhenItsPatienceIsOver) {
+TEST(Reopen, FailsAfterItsTimeout) {
   const auto none = Connection::reopen({SilentPort().address()}, 250ms);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
 }
 
-TEST(Reopen, ComesBackWhenTheDaemonDoes) {
+TEST(Reopen, ConnectsWhenTheDaemonRunsAgain) {
   boost::asio::io_context io;
   boost::asio::ip::tcp::acceptor acceptor(io, boost::asio::ip::tcp::v4());
   acceptor.bind({boost::asio::ip::address_v4::loopback(), 0});
@@ -82,7 +82,7 @@ TEST(Reopen, ComesBackWhenTheDaemonDoes) {
     std::this_thread::sleep_for(150ms);
     acceptor.listen();
   });
-  EXPECT_TRUE(Connection::reopen({address}, kLongPatience).has_value());
+  EXPECT_TRUE(Connection::reopen({address}, kLongTimeout).has_value());
   later.join();
 }
 
@@ -94,7 +94,7 @@ TEST(Backoff, DoublesFromATenthOfASecondToFive) {
   EXPECT_EQ(backoff.next(), 100ms);
 }
 
-TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
+TEST(Call, SendsOneLineAndReturnsTheTypedResult) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) {
     line = peer.read();
@@ -105,7 +105,7 @@ TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
   const protocol::EffectParams push{
       .direction = protocol::Word::kLeft, .level = 0.62, .duration_ms = 180};
   const auto felt =
-      ball.call(protocol::EffectStart{model::EffectMethod::kPulse, push}, kLongPatience).value();
+      ball.call(protocol::EffectStart{model::EffectMethod::kPulse, push}, kLongTimeout).value();
   EXPECT_EQ(felt.effect, 41U);
   EXPECT_EQ(felt.current_a, 9.3);
   EXPECT_EQ(felt.headroom_s, 21.4);
@@ -113,7 +113,7 @@ TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
                   R"({"direction":"left","level":0.62,"duration_ms":180}})");
 }
 
-TEST(Call, ReadsAnswersHoweverTheyArrive) {
+TEST(Call, ReadsResponsesInAnyPieces) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     for (const char byte : std::string(kPong) + "\r\n") peer.send({&byte, 1});
@@ -122,20 +122,20 @@ TEST(Call, ReadsAnswersHoweverTheyArrive) {
               R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":43}})" + "\n" + telemetry(3) + "\n");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 42);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).value().time_ns, 42);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).value().time_ns, 43);
   for (const int expected : {1, 2, 3})
-    EXPECT_EQ(time_of(ball.next(kLongPatience).value().value()), expected);
+    EXPECT_EQ(time_of(ball.next(kLongTimeout).value().value()), expected);
 }
 
-TEST(Call, ReturnsWhatTheDaemonRefuses) {
+TEST(Call, ReturnsTheDaemonsError) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(
         R"({"jsonrpc":"2.0","id":1,"error":{"code":-32602,"message":"gain: 1.4 is above 1","data":{"name":"invalid_params","field":"gain","limit":1,"value":1.4}}})");
   });
   auto ball = connect(daemon);
-  const auto refused = ball.call(protocol::OutputSetGain{1.4}, kLongPatience);
+  const auto refused = ball.call(protocol::OutputSetGain{1.4}, kLongTimeout);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().failure, Failure::kRefused);
   EXPECT_EQ(refused.error().message, "gain: 1.4 is above 1");
@@ -144,31 +144,31 @@ TEST(Call, ReturnsWhatTheDaemonRefuses) {
   EXPECT_EQ(refused.error().refusal->field, "gain");
 }
 
-TEST(Call, TakesAnErrorWithoutIdAsItsOwn) {
+TEST(Call, TreatsAnErrorWithoutIdAsItsOwn) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(
         R"({"jsonrpc":"2.0","id":null,"error":{"code":-32001,"message":"busy: too many connections","data":{"name":"busy"}}})");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).error().message,
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).error().message,
             "busy: too many connections");
 }
 
-TEST(Call, PassesOnWhatAPersonTyped) {
+TEST(Call, ForwardsRawParameters) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) {
     line = peer.read();
     peer.send_line(R"({"jsonrpc":"2.0","id":1,"result":{"b":1,"a":[2]}})");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLongPatience).value(),
+  EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLongTimeout).value(),
             R"({"b":1,"a":[2]})");
   daemon.finish();
   EXPECT_EQ(line, R"({"jsonrpc":"2.0","id":1,"method":"future.method","params":{"x":1}})");
 }
 
-TEST(Call, ThatIsNotAnsweredInTimeLeavesTheConnectionUsable) {
+TEST(Call, ThatTimesOutLeavesTheConnectionUsable) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.read();
@@ -180,53 +180,53 @@ TEST(Call, ThatIsNotAnsweredInTimeLeavesTheConnectionUsable) {
   ASSERT_FALSE(late.has_value());
   EXPECT_EQ(late.error().failure, Failure::kTimeout);
   EXPECT_EQ(late.error().message, "the daemon has not answered within 20 ms");
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).value().time_ns, 43);
 }
 
-TEST(Call, SaysWhenTheDaemonHasGoneAndKeepsItsLastWords) {
+TEST(Call, ReportsAClosedConnectionAndKeepsItsLastMessages) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(kShutdown);
   });
   auto ball = connect(daemon);
   for (int i = 0; i < 2; ++i) {
-    const auto gone = ball.call(protocol::Ping{}, kLongPatience);
-    ASSERT_FALSE(gone.has_value());
-    EXPECT_EQ(gone.error().failure, Failure::kClosed);
+    const auto closed = ball.call(protocol::Ping{}, kLongTimeout);
+    ASSERT_FALSE(closed.has_value());
+    EXPECT_EQ(closed.error().failure, Failure::kClosed);
   }
-  const auto words = ball.next(kLongPatience).value().value();
-  EXPECT_EQ(std::get<protocol::EventMessage>(words).event.type, "shutting_down");
-  EXPECT_EQ(ball.next(kLongPatience).error().failure, Failure::kClosed);
+  const auto last_event = ball.next(kLongTimeout).value().value();
+  EXPECT_EQ(std::get<protocol::EventMessage>(last_event).event.type, "shutting_down");
+  EXPECT_EQ(ball.next(kLongTimeout).error().failure, Failure::kClosed);
 }
 
-TEST(Call, DoesNotTakeNonsenseForAnAnswer) {
+TEST(Call, RejectsInvalidResponses) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line("HTTP/1.1 400 Bad Request");
     peer.read();
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).error().failure, Failure::kProtocol);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).error().failure, Failure::kProtocol);
 }
 
-TEST(Call, GivesUpOnALineThatNeverEnds) {
+TEST(Call, RejectsALineWithoutAnEnd) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send(std::string(LineSocket::kMaxIncomingLine + 65'536, 'x'));
     peer.read();
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).error().failure, Failure::kProtocol);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).error().failure, Failure::kProtocol);
 }
 
-TEST(Call, NeverSendsALineThatTheDaemonWouldRefuse) {
+TEST(Call, NeverSendsALineThatIsTooLong) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
   auto ball = connect(daemon);
   const auto failed =
-      ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLongPatience);
+      ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLongTimeout);
   EXPECT_EQ(failed.error().failure, Failure::kProtocol);
-  EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLongPatience).has_value());
+  EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLongTimeout).has_value());
   daemon.finish();
   EXPECT_THAT(line, HasSubstr("device.emergency_stop"));
 }
@@ -234,13 +234,12 @@ TEST(Call, NeverSendsALineThatTheDaemonWouldRefuse) {
 TEST(Notify, SendsNoId) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
-  EXPECT_TRUE(
-      connect(daemon).notify(protocol::EffectStop{.effect = 41}, kLongPatience).has_value());
+  EXPECT_TRUE(connect(daemon).notify(protocol::EffectStop{.effect = 41}, kLongTimeout).has_value());
   daemon.finish();
   EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"effect.stop","params":{"effect":41}})");
 }
 
-TEST(Ask, DoesNotWaitAndItsAnswersComeWithWhatIsRead) {
+TEST(Request, DoesNotWaitAndItsResponsesAreReadLater) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.read();
@@ -252,18 +251,18 @@ TEST(Ask, DoesNotWaitAndItsAnswersComeWithWhatIsRead) {
     peer.send_line(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":43}})");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLongPatience).value(), protocol::Id::number(1));
-  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLongPatience).value(), protocol::Id::number(2));
-  EXPECT_EQ(time_of(ball.next(kLongPatience).value().value()), 5);
-  EXPECT_TRUE(ball.answer().value().result.has_value());
-  const auto refused = ball.answer().value();
+  EXPECT_EQ(ball.request(protocol::EffectStopAll{}, kLongTimeout).value(), protocol::Id::number(1));
+  EXPECT_EQ(ball.request(protocol::EffectStopAll{}, kLongTimeout).value(), protocol::Id::number(2));
+  EXPECT_EQ(time_of(ball.next(kLongTimeout).value().value()), 5);
+  EXPECT_TRUE(ball.response().value().result.has_value());
+  const auto refused = ball.response().value();
   EXPECT_EQ(refused.id, protocol::Id::number(2));
   EXPECT_EQ(refused.result.error().code, protocol::ErrorCode::kClaimed);
-  EXPECT_FALSE(ball.answer().has_value());
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
+  EXPECT_FALSE(ball.response().has_value());
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongTimeout).value().time_ns, 43);
 }
 
-TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
+TEST(Next, WithTimeoutZeroReturnsOnlyBufferedMessages) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send(telemetry(1) + "\n" + telemetry(2) + "\n" + kPong + "\n" + R"({"jsonrpc":)");
@@ -271,13 +270,13 @@ TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
   });
   auto ball = connect(daemon);
   EXPECT_EQ(ball.next(0ms).value(), std::nullopt);
-  ASSERT_TRUE(ball.call(protocol::Ping{}, kLongPatience).has_value());
+  ASSERT_TRUE(ball.call(protocol::Ping{}, kLongTimeout).has_value());
   EXPECT_EQ(time_of(ball.next(0ms).value().value()), 1);
   EXPECT_EQ(time_of(ball.next(0ms).value().value()), 2);
   EXPECT_EQ(ball.next(10ms).value(), std::nullopt) << "half a line is no line";
 }
 
-TEST(Next, LosesOldTelemetryButNoEvent) {
+TEST(Next, DropsOldTelemetryButNoEvent) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(kShutdown);
@@ -286,7 +285,7 @@ TEST(Next, LosesOldTelemetryButNoEvent) {
     peer.read();
   });
   auto ball = connect(daemon);
-  ASSERT_TRUE(ball.call(protocol::Ping{}, kLongPatience).has_value());
+  ASSERT_TRUE(ball.call(protocol::Ping{}, kLongTimeout).has_value());
   EXPECT_EQ(time_of(ball.next(0ms).value().value()), 7);
   for (int i = 45; i <= 300; ++i) EXPECT_EQ(time_of(ball.next(0ms).value().value()), 1000 + i);
   EXPECT_EQ(ball.next(0ms).value(), std::nullopt);

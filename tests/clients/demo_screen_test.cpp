@@ -16,7 +16,7 @@ namespace {
 using testing::EndsWith;
 using testing::StartsWith;
 
-TEST(DemoScreen, LeadsWithTheHottestWindingAndNamesTheThermistor) {
+TEST(DemoScreen, ShowsTheHottestWindingFirstAndNamesTheThermistor) {
   const auto lines = demo_screen(hot_ball(), tour(true).front(), nullptr, {});
   const auto first = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
     return line.starts_with("  temperature ");

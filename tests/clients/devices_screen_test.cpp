@@ -10,7 +10,7 @@
 namespace hedgehog::client {
 namespace {
 
-TEST(DevicesScreen, WhatIsUsedAndWhyTheOthersAreNot) {
+TEST(DevicesScreen, ListsDevicesInUseAndWhyOthersAreNot) {
   protocol::DevicesResult seen;
   seen.devices = {
       {"USB 1-3", "1209:0001", "Hedgehog driver board", "7", "1.02", "1.2", "board", {}},
@@ -49,7 +49,7 @@ TEST(DevicesScreen, WhatIsUsedAndWhyTheOthersAreNot) {
           "  and 2 more that are nothing to hedgehogd"));
 }
 
-TEST(DevicesScreen, ABareMachine) {
+TEST(DevicesScreen, AMachineWithoutDevices) {
   EXPECT_THAT(devices_screen({}, "ball"),
               testing::ElementsAre("  nothing that hedgehogd knows is connected"));
 }

@@ -44,14 +44,14 @@ TEST(AvahiBrowse, ReadsNameAddressAndRecordsOfEachService) {
   EXPECT_TRUE(daemons[1].address.tls);
 }
 
-TEST(AvahiBrowse, KeepsAnAddressOfTheLinkThatIsTheOnlyOne) {
+TEST(AvahiBrowse, KeepsALinkLocalAddressThatIsTheOnlyOne) {
   const auto daemons =
       parse_avahi_browse("=;eth0;IPv6;a;_hedgehog._tcp;local;h.local;fe80::1;7586;\"tls=1\"\n");
   ASSERT_EQ(daemons.size(), 1u);
   EXPECT_EQ(to_string(daemons[0].address), "tls://[fe80::1]:7586");
 }
 
-TEST(AvahiBrowse, LetsNothingOfTheNetworkMoveTheCursor) {
+TEST(AvahiBrowse, RemovesControlCharactersFromTheNetwork) {
   const auto daemons = parse_avahi_browse(
       "=;e;IPv4;\\027[2J\\194\\155x\\255;_hedgehog._tcp;local;h\\010;192.0.2.1;7586;"
       "\"serial=a\\\"b\\007\"\n");
@@ -61,7 +61,7 @@ TEST(AvahiBrowse, LetsNothingOfTheNetworkMoveTheCursor) {
   EXPECT_EQ(daemons[0].serial, "a\"b?");
 }
 
-TEST(AvahiBrowse, IgnoresWhatIsNoService) {
+TEST(AvahiBrowse, IgnoresOtherRecords) {
   for (const char* line : {"", "=", "=;;;;;;;;;", "=;e;IPv4;a;_hedgehog._tcp;local;h;192.0.2.1;0;",
                            "=;e;IPv4;a;_hedgehog._tcp;local;h;192.0.2.1;99999;",
                            "=;e;IPv4;a\\;_hedgehog._tcp;local;h;;7586;", "\\", "=;\\0;\""})

@@ -109,7 +109,7 @@ TEST(EffectOptions, ReachTheDaemonAsTheirType) {
   }
 }
 
-TEST(EffectOptions, AWordForANumberIsTheDaemonsToRefuse) {
+TEST(EffectOptions, TextForANumberIsRefusedByTheDaemon) {
   const auto incoming = sent({.method = "effect.circle", .params = {{"speed_pins_s", "fast"}}});
   ASSERT_FALSE(incoming.items.at(0).request.has_value());
   EXPECT_THAT(incoming.items.at(0).request.error().message, HasSubstr("speed_pins_s"));
@@ -130,7 +130,7 @@ std::string duration_of(const PlayOptions& options) {
   return "none";
 }
 
-TEST(Circle, GoesRoundOnceUnlessAnEndIsGiven) {
+TEST(Circle, IsOneTurnUnlessAnEndIsGiven) {
   const auto circle = [](std::vector<std::pair<std::string, std::string>> params) {
     return with_end({.method = "effect.circle", .params = std::move(params)});
   };

@@ -42,7 +42,7 @@ std::string text(const protocol::Request& request) {
 
 class Player : public testing::Test {
  protected:
-  std::vector<std::string> taken() {
+  std::vector<std::string> new_requests() {
     std::vector<std::string> all;
     for (const auto& request : player_.take_requests()) all.push_back(text(request));
     return all;
@@ -61,11 +61,11 @@ class Player : public testing::Test {
 
 TEST_F(Player, AnUploadIsSilentUntilItIsPlayedAndEndsByItsDuration) {
   EXPECT_EQ(player_.upload(push(3, 0x4000, 200), now_), 0);
-  EXPECT_THAT(taken(), IsEmpty());
+  EXPECT_THAT(new_requests(), IsEmpty());
   player_.play(3, 1, now_);
-  EXPECT_THAT(taken(), ElementsAre("start ff3 200"));
+  EXPECT_THAT(new_requests(), ElementsAre("start ff3 200"));
   pass(200);
-  EXPECT_THAT(taken(), IsEmpty()) << "the daemon ends it";
+  EXPECT_THAT(new_requests(), IsEmpty()) << "the daemon ends it";
   EXPECT_FALSE(player_.is_playing(3));
   EXPECT_FALSE(player_.deadline());
 }
@@ -75,7 +75,7 @@ TEST_F(Player, CountRepeatsDelayAndLength) {
   player_.play(0, 3, now_);
   std::vector<int> starts;
   for (int ms = 0; ms <= 500; ++ms) {
-    if (!taken().empty()) starts.push_back(ms);
+    if (!new_requests().empty()) starts.push_back(ms);
     pass(1);
   }
   EXPECT_THAT(starts, ElementsAre(50, 200, 350));
@@ -84,13 +84,13 @@ TEST_F(Player, CountRepeatsDelayAndLength) {
 TEST_F(Player, ALongOneIsALeaseThatIsRenewedAndStopped) {
   player_.upload(push(0, 0x4000, 20'000), now_);
   player_.play(0, 1, now_);
-  EXPECT_THAT(taken(), ElementsAre("start ff0 lease"));
+  EXPECT_THAT(new_requests(), ElementsAre("start ff0 lease"));
   pass(150);
-  EXPECT_THAT(taken(), ElementsAre("renew ff0"));
+  EXPECT_THAT(new_requests(), ElementsAre("renew ff0"));
   pass(19'849);
-  taken();
+  new_requests();
   pass(1);
-  EXPECT_THAT(taken(), ElementsAre("stop ff0"));
+  EXPECT_THAT(new_requests(), ElementsAre("stop ff0"));
 }
 
 TEST_F(Player, OneWithoutAnEndIsStoppedAfterAMinuteAndAnUploadGivesItAnother) {
@@ -101,9 +101,9 @@ TEST_F(Player, OneWithoutAnEndIsStoppedAfterAMinuteAndAnUploadGivesItAnother) {
   player_.upload(push(0, 0x4000, 0), now_);
   pass(59'999);
   EXPECT_TRUE(player_.is_playing(0));
-  taken();
+  new_requests();
   pass(1);
-  EXPECT_THAT(taken(), ElementsAre("stop ff0"));
+  EXPECT_THAT(new_requests(), ElementsAre("stop ff0"));
   EXPECT_FALSE(player_.is_playing(0));
 }
 
@@ -114,18 +114,19 @@ TEST_F(Player, EndlessRepetitionsEndAfterAMinuteToo) {
   EXPECT_FALSE(player_.is_playing(0));
 }
 
-TEST_F(Player, AnUploadOfWhatPlaysReplacesItAndSilenceStopsIt) {
+TEST_F(Player, AnUploadOfAPlayingEffectReplacesItAndOneOfStrengthZeroStopsIt) {
   player_.upload(push(0, 0x4000, 1000), now_);
   player_.play(0, 1, now_);
   pass(900);
-  taken();
+  new_requests();
   player_.upload(push(0, 0x2000, 1000), now_);
-  EXPECT_THAT(taken(), ElementsAre("start ff0 1000")) << "in its slot, without a stop before";
+  EXPECT_THAT(new_requests(), ElementsAre("start ff0 1000"))
+      << "in its slot, without a stop before";
   // SDL stops a rumble this way.
   player_.upload(push(0, 0, 1000), now_);
-  EXPECT_THAT(taken(), ElementsAre("stop ff0"));
+  EXPECT_THAT(new_requests(), ElementsAre("stop ff0"));
   player_.upload(push(0, 0x2000, 1000), now_);
-  EXPECT_THAT(taken(), ElementsAre("start ff0 1000")) << "it still plays";
+  EXPECT_THAT(new_requests(), ElementsAre("start ff0 1000")) << "it still plays";
 }
 
 TEST_F(Player, StopEraseAndTheCloseOfAHandleEndIt) {
@@ -133,20 +134,20 @@ TEST_F(Player, StopEraseAndTheCloseOfAHandleEndIt) {
   player_.upload(push(1, 0x4000, 1000), now_);
   player_.play(0, 1, now_);
   player_.play(1, 1, now_);
-  taken();
+  new_requests();
   player_.play(0, 0, now_);
-  EXPECT_THAT(taken(), ElementsAre("stop ff0"));
+  EXPECT_THAT(new_requests(), ElementsAre("stop ff0"));
   EXPECT_EQ(player_.erase(1, now_), 0);
-  EXPECT_THAT(taken(), ElementsAre("stop ff1"));
+  EXPECT_THAT(new_requests(), ElementsAre("stop ff1"));
   EXPECT_EQ(player_.erase(1, now_), EINVAL);
   player_.play(1, 1, now_);
-  EXPECT_THAT(taken(), IsEmpty()) << "nobody has uploaded it";
+  EXPECT_THAT(new_requests(), IsEmpty()) << "nobody has uploaded it";
 }
 
-TEST_F(Player, TheGainIsOfAllThatPlaysAndWillPlay) {
+TEST_F(Player, TheGainAppliesToPlayingAndFutureEffects) {
   player_.upload(push(0, 0x4000, 1000), now_);
   player_.play(0, 1, now_);
-  taken();
+  new_requests();
   player_.set_gain(0x8000);
   auto requests = player_.take_requests();
   ASSERT_EQ(requests.size(), 1u);
@@ -157,7 +158,7 @@ TEST_F(Player, TheGainIsOfAllThatPlaysAndWillPlay) {
   EXPECT_NEAR(*std::get<EffectStart>(requests.at(0)).params.gain, 0.5, 1e-4);
 }
 
-TEST_F(Player, WhatCannotBePlayedIsRefused) {
+TEST_F(Player, UnsupportedEffectsAreRefused) {
   ff_effect spring{};
   spring.type = FF_SPRING;
   EXPECT_EQ(player_.upload(spring, now_), EINVAL);
@@ -165,7 +166,7 @@ TEST_F(Player, WhatCannotBePlayedIsRefused) {
   EXPECT_EQ(player_.upload(push(-1, 1, 1), now_), EINVAL);
   player_.play(200, 1, now_);
   player_.play(-1, 1, now_);
-  EXPECT_THAT(taken(), IsEmpty());
+  EXPECT_THAT(new_requests(), IsEmpty());
 }
 
 TEST_F(Player, ANewConnectionHasTheUploadsAndPlaysNone) {
@@ -173,21 +174,21 @@ TEST_F(Player, ANewConnectionHasTheUploadsAndPlaysNone) {
   player_.play(0, 1, now_);
   player_.on_connect(0.2);
   pass(1000);
-  EXPECT_THAT(taken(), IsEmpty());
+  EXPECT_THAT(new_requests(), IsEmpty());
   player_.play(0, 1, now_);
-  EXPECT_THAT(taken(), ElementsAre("start ff0 lease"));
+  EXPECT_THAT(new_requests(), ElementsAre("start ff0 lease"));
 }
 
-TEST_F(Player, ALateLoopDoesNotPlayWhatItMissed) {
+TEST_F(Player, ALateLoopSkipsMissedRepetitions) {
   player_.upload(push(0, 0x4000, 100), now_);
   player_.play(0, 5, now_);
-  taken();
+  new_requests();
   now_ += Milliseconds(330);
   player_.advance(now_);
-  EXPECT_THAT(taken(), ElementsAre("start ff0 100"));
+  EXPECT_THAT(new_requests(), ElementsAre("start ff0 100"));
 }
 
-RC_GTEST_PROP(PlayerProperty, WhateverAGameDoesEverythingEndsWithinAMinuteOfItsLastCommand, ()) {
+RC_GTEST_PROP(PlayerProperty, EveryEffectEndsWithinAMinuteOfTheLastCommand, ()) {
   EffectPlayer player{TranslationOptions{}};
   TimePoint now{};
   const int commands = *rc::gen::inRange(1, 40);

@@ -90,7 +90,7 @@ TEST(Translation, AForceBecomesALevelThatCanBeFelt) {
   EXPECT_DOUBLE_EQ(*started(constant(0, -0x8000), options).params.level, 0.5);
 }
 
-TEST(Translation, NoForceIsSilence) {
+TEST(Translation, ZeroForceSendsNothing) {
   EXPECT_FALSE(translate(constant(0, 0), {}).start);
   EXPECT_FALSE(translate(rumble(0, 0), {}).start);
   EXPECT_FALSE(translate(periodic(FF_SINE, 50, 0), {}).start);
@@ -109,7 +109,7 @@ TEST(Translation, RumbleHasNoDirectionAndTheFrequenciesOfItsMotors) {
   expect_side(*started(rumble(1, 1), options).params.direction, kBack);
 }
 
-TEST(Translation, AWaveKeepsItsFormFrequencyAndSide) {
+TEST(Translation, AWaveKeepsItsShapeFrequencyAndSide) {
   const std::vector<std::pair<int, Waveform>> forms{{FF_SQUARE, Waveform::kSquare},
                                                     {FF_TRIANGLE, Waveform::kTriangle},
                                                     {FF_SINE, Waveform::kSine},
@@ -134,7 +134,7 @@ TEST(Translation, AnOffsetAddsToAWaveAndANegativeOneBeyondItTurnsTheSide) {
   EXPECT_NEAR(*start.params.level, 0.14 + 0.86 * 0x3000 / 0x7fff, 1e-9);
 }
 
-TEST(Translation, SdlsRumbleHasNoDirectionUnlessItIsSaidToHaveOne) {
+TEST(Translation, SdlsRumbleHasNoDirectionUnlessConfigured) {
   const ff_effect sdl = periodic(FF_SINE, 1000, 24575, 0x4000);
   const auto start = started(sdl);
   expect_side(*start.params.direction, kDown);
@@ -200,7 +200,7 @@ TEST(Translation, ARampThroughZeroChangesTheSideWhileNothingIsPushed) {
   EXPECT_EQ(frames[3].level, 1.0);
 }
 
-TEST(Translation, WhatNeedsABaseIsRefused) {
+TEST(Translation, ConditionEffectsAreRefused) {
   for (const int type : {FF_SPRING, FF_DAMPER, FF_FRICTION, FF_INERTIA, FF_CUSTOM})
     EXPECT_FALSE(can_translate(effect_of(type)));
   EXPECT_FALSE(can_translate(periodic(FF_CUSTOM, 20, 1)));
@@ -245,7 +245,7 @@ ff_effect any_effect() {
   return effect;
 }
 
-RC_GTEST_PROP(Translation, IsARequestThatTheDaemonTakes, ()) {
+RC_GTEST_PROP(Translation, IsAcceptedByTheDaemon, ()) {
   const auto translated = translate(any_effect(), {});
   RC_ASSERT(translated.length >= Milliseconds(1));
   RC_ASSERT(translated.length <= kMaxPlay);

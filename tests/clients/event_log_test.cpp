@@ -28,7 +28,7 @@ class Log : public testing::Test {
   EventLog log_;
 };
 
-TEST_F(Log, OfASeriesTheFirstIsPrintedAndThenALineAMinute) {
+TEST_F(Log, ASeriesIsItsFirstEventAndThenALineAMinute) {
   EXPECT_THAT(overrun(0, "14:00:00"), ElementsAre("  14:00:00  overrun  30 ticks skipped"));
   int lines = 0;
   for (int second = 1; second <= 600; ++second) {
@@ -38,7 +38,7 @@ TEST_F(Log, OfASeriesTheFirstIsPrintedAndThenALineAMinute) {
   EXPECT_EQ(lines, 10);
 }
 
-TEST_F(Log, WhatWasNotPrintedIsPrintedAMinuteLaterThoughNothingElseHappens) {
+TEST_F(Log, HeldEventsArePrintedAMinuteLaterWithoutFurtherEvents) {
   overrun(0, "14:00:00");
   overrun(1, "14:00:01");
   EXPECT_THAT(due(59), IsEmpty());
@@ -57,7 +57,7 @@ TEST_F(Log, BeforeANewSeriesTheLastOneIsPrinted) {
   EXPECT_THAT(log_.rest(), IsEmpty());
 }
 
-TEST_F(Log, AtTheEndTheRestIsPrinted) {
+TEST_F(Log, HeldEventsArePrintedAtTheEnd) {
   overrun(0, "14:00:00");
   overrun(1, "14:00:01");
   EXPECT_THAT(log_.rest(),

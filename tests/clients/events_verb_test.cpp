@@ -19,7 +19,7 @@ protocol::Event derating_ended(std::int64_t time_ns) {
   return event;
 }
 
-TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
+TEST(EventsVerb, EventsOfTheHistoryAreNotRepeated) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.send_line(protocol::encode_result(protocol::Id::number(1), protocol::HelloResult{}));
@@ -35,7 +35,7 @@ TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
         protocol::encode_history({protocol::encode_past_event(past)}, true)));
     peer.send_line(protocol::encode_event(derating_ended(8)));
   });
-  Session session{Connection::open({daemon.address()}, kLongPatience).value(), true, {}};
+  Session session{Connection::open({daemon.address()}, kLongTimeout).value(), true, {}};
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   EXPECT_EQ(run_events(session, {{}, "1h", true}), kUnavailable);
@@ -68,7 +68,7 @@ std::string printed_of_a_busy_machine(bool json) {
     for (std::int64_t second = 21; second <= 40; ++second)
       peer.send_line(protocol::encode_event(overrun(second)));
   });
-  Session session{Connection::open({daemon.address()}, kLongPatience).value(), json, {}};
+  Session session{Connection::open({daemon.address()}, kLongTimeout).value(), json, {}};
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   EXPECT_EQ(run_events(session, {}), kUnavailable);
@@ -76,7 +76,7 @@ std::string printed_of_a_busy_machine(bool json) {
   return testing::internal::GetCapturedStdout();
 }
 
-TEST(EventsVerb, OfASeriesTheFirstIsPrintedAndThenHowManyThereWere) {
+TEST(EventsVerb, ASeriesIsItsFirstEventAndThenTheCount) {
   const std::string out = printed_of_a_busy_machine(false);
   const std::size_t first = out.find("overrun  30 ticks skipped\n");
   const std::size_t stopped = out.find("state_changed  disarmed: emergency_stop\n");

@@ -24,7 +24,7 @@ ExitCode refused(protocol::ErrorCode code) {
 
 ExitCode failed(Failure failure) { return exit_code_of(ClientError{failure, "no", {}}); }
 
-TEST(ExitCode, SaysWhetherToTryAgainAndWhoIsToBlame) {
+TEST(ExitCode, DistinguishesUsageTemporaryAndOtherErrors) {
   using enum protocol::ErrorCode;
   EXPECT_EQ(refused(kInvalidParams), 64);
   EXPECT_EQ(refused(kNoSuchPattern), 66);

@@ -18,7 +18,7 @@
 namespace hedgehog::client {
 
 /// Upper bound for a required event on a busy machine.
-inline constexpr std::chrono::milliseconds kLongPatience{20'000};
+inline constexpr std::chrono::milliseconds kLongTimeout{20'000};
 
 /// The client library's response timeout in the test programs that use this daemon: set before
 /// `main`, as the library reads it once.
@@ -62,17 +62,17 @@ class SilentPort {
                                        {boost::asio::ip::address_v4::loopback(), std::uint16_t{0}}};
 };
 
-/// Listens at once; runs `conversation` when a client has connected, and then closes the
+/// Listens at once; runs `script` when a client has connected, and then closes the
 /// connection.
 class FakeDaemon {
  public:
-  using Conversation = std::function<void(FakePeer&)>;
+  using Script = std::function<void(FakePeer&)>;
 
-  explicit FakeDaemon(Conversation conversation)
+  explicit FakeDaemon(Script script)
       : FakeDaemon(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0),
-                   std::move(conversation)) {}
-  FakeDaemon(const std::string& path, Conversation conversation)
-      : FakeDaemon(boost::asio::local::stream_protocol::endpoint(path), std::move(conversation)) {}
+                   std::move(script)) {}
+  FakeDaemon(const std::string& path, Script script)
+      : FakeDaemon(boost::asio::local::stream_protocol::endpoint(path), std::move(script)) {}
   ~FakeDaemon() { finish(); }
   FakeDaemon(const FakeDaemon&) = delete;
   FakeDaemon& operator=(const FakeDaemon&) = delete;
@@ -87,14 +87,14 @@ class FakeDaemon {
 
  private:
   template <class Endpoint>
-  FakeDaemon(const Endpoint& endpoint, Conversation conversation) {
+  FakeDaemon(const Endpoint& endpoint, Script script) {
     using Protocol = typename Endpoint::protocol_type;
     auto acceptor = std::make_shared<typename Protocol::acceptor>(io_, endpoint);
     if constexpr (requires { acceptor->local_endpoint().port(); })
       port_ = acceptor->local_endpoint().port();
-    thread_ = std::thread([acceptor, conversation = std::move(conversation)] {
+    thread_ = std::thread([acceptor, script = std::move(script)] {
       FakePeer peer{FakePeer::Socket(acceptor->accept())};
-      conversation(peer);
+      script(peer);
     });
   }
 

@@ -50,7 +50,7 @@ model::HeatSample sample(double end_s) {
   return s;
 }
 
-TEST(HeatSample, PowerIsOfAllTimeAndResistanceOfTheSettledEnd) {
+TEST(HeatSample, PowerIsOfTheWholeTimeAndResistanceOfTheSettledEnd) {
   std::vector<HeatReading> readings;
   for (int k = 1; k <= 100; ++k) {
     const double current_a = k <= 20 ? 0.0 : 5.0;
@@ -61,12 +61,12 @@ TEST(HeatSample, PowerIsOfAllTimeAndResistanceOfTheSettledEnd) {
   EXPECT_NEAR(mean.voltage_v[0] / mean.current_a[0], 0.45, 1e-12);
   EXPECT_EQ(mean.count, 79) << "the first that is as large may still be on its way";
   EXPECT_DOUBLE_EQ(mean.dt_s, 1.0);
-  const model::HeatSample lone = mean_of({readings.back()}, 0.9);
-  EXPECT_EQ(lone.count, 0);
-  EXPECT_EQ(lone.current_a[0], 0.0);
+  const model::HeatSample single = mean_of({readings.back()}, 0.9);
+  EXPECT_EQ(single.count, 0);
+  EXPECT_EQ(single.current_a[0], 0.0);
 }
 
-TEST(HeatProgress, ComesBackFromItsFileAsItWas) {
+TEST(HeatProgress, ReadsBackFromItsFile) {
   TemporaryFolder folder;
   const std::string path = folder.path("ball.json.progress");
   {
@@ -112,7 +112,7 @@ TEST(HeatProgress, ALineThatWasCutOffIsLeftOut) {
     EXPECT_FALSE(read_progress(damaged)) << damaged;
 }
 
-TEST(HeatProgress, GoesOnWithTheSameBallInTheSameRoomOnly) {
+TEST(HeatProgress, ContinuesWithTheSameBallAndAmbientOnly) {
   EXPECT_EQ(incompatible(begun(), ball(), shown(40.0)), "") << "it is still warm";
   protocol::Description other = ball();
   other.name = "ball-8";
@@ -123,7 +123,7 @@ TEST(HeatProgress, GoesOnWithTheSameBallInTheSameRoomOnly) {
   EXPECT_THAT(incompatible(begun(), ball(), shown(20.0)), HasSubstr("4.5 K cooler"));
 }
 
-TEST(HeatProgress, AnInterruptedPhaseBeginsAnew) {
+TEST(HeatProgress, AnInterruptedPhaseRestarts) {
   const auto plan = model::heating_plan();
   EXPECT_EQ(resumed_step(plan, 0), 0u);
   EXPECT_EQ(resumed_step(plan, plan.size()), plan.size());

@@ -75,7 +75,7 @@ TEST(Hjif, TheTimescaleIsTicksASecond) {
   EXPECT_EQ(i.pattern.keyframes.back().t_ms, 200);
 }
 
-TEST(Hjif, AVectorialWaveBringsItsSignalAndItsFrequency) {
+TEST(Hjif, AVectorialWaveHasItsSignalAndItsFrequency) {
   const auto i =
       import_pattern(
           hjif(band("VectorialWave", basis(0, key(0, 1, 60) + "," + key(200, 0.5, 60), "Square"))))
@@ -86,7 +86,7 @@ TEST(Hjif, AVectorialWaveBringsItsSignalAndItsFrequency) {
   EXPECT_THAT(i.notes, IsEmpty());
 }
 
-TEST(Hjif, ReferencesPlayWhatTheLibraryHas) {
+TEST(Hjif, ReferencesPlayTheLibrarysEffects) {
   const auto i =
       import_pattern(hjif(band("Curve", R"({"effect_type":"Reference","id":7,"position":100})")))
           .value();
@@ -100,7 +100,7 @@ std::string only_hz(int position, int hz) {
          std::to_string(hz) + "}";
 }
 
-TEST(Hjif, AKeyFrameNeedNotSayBothModulations) {
+TEST(Hjif, AKeyFrameNeedNotHaveBothModulations) {
   const auto full =
       import_pattern(hjif(band("VectorialWave", basis(0, key(0, 1, 80) + "," + only_hz(100, 80) +
                                                              "," + key(200, 1)))))
@@ -130,7 +130,7 @@ TEST(Hjif, AKeyFrameNeedNotSayBothModulations) {
   EXPECT_THAT(pitchless.notes, ElementsAre(HasSubstr("no frequency")));
 }
 
-TEST(Hjif, ACurveGoesOnlyOverKeyFramesWithAnAmplitude) {
+TEST(Hjif, ACurveHasOnlyKeyFramesWithAnAmplitude) {
   const auto i =
       import_pattern(hjif(band("Curve", basis(0, key(0, 1) + "," + only_hz(50, 80) + "," +
                                                      key(100, 0) + "," + only_hz(300, 80)))))
@@ -142,7 +142,7 @@ TEST(Hjif, ACurveGoesOnlyOverKeyFramesWithAnAmplitude) {
   EXPECT_EQ(later.pattern.keyframes.back().t_ms, 150);
 }
 
-TEST(Hjif, CubicCurvesAreTheEaseSmooth) {
+TEST(Hjif, CubicCurvesBecomeTheEaseSmooth) {
   const std::string effect = basis(100, key(0, 0) + "," + key(100, 0.8) + "," + key(300, 0.2));
   const auto i = import_pattern(hjif(band("Curve", effect, "Cubic"))).value();
   EXPECT_THAT(i.notes, IsEmpty());
@@ -168,7 +168,7 @@ TEST(Hjif, CubicCurvesAreTheEaseSmooth) {
   EXPECT_EQ(error_message(cut), "");
 }
 
-TEST(Hjif, WhatComesAfterAMinuteIsLeftOutAndSaid) {
+TEST(Hjif, EffectsAfterAMinuteAreLeftOutAndReported) {
   const auto i =
       import_pattern(hjif(band("Curve", basis(50'000, key(0, 0) + "," + key(20'000, 1)) + "," +
                                             basis(70'000, key(0, 1) + "," + key(9, 1))) +
@@ -185,7 +185,7 @@ TEST(Hjif, WhatComesAfterAMinuteIsLeftOutAndSaid) {
   EXPECT_NEAR(level_at(cubic, 55'000), 0.15625, 4e-3);
 }
 
-TEST(Hjif, WhatALibraryHasButNoBallPlaysIsSaid) {
+TEST(Hjif, UnplayableLibraryEffectsAreReported) {
   std::string file = hjif(band("Curve", R"({"effect_type":"Reference","id":7,"position":100},)" +
                                             basis(0, key(0, 1) + "," + key(9, 1))));
   file.replace(file.find("Basis"), 5, "Timeline");
@@ -206,7 +206,7 @@ TEST(Hjif, WhatALibraryHasButNoBallPlaysIsSaid) {
       ElementsAre(HasSubstr("more than 1")));
 }
 
-TEST(Hjif, TheReferenceEncodersModalityIsTakenForVibrotactile) {
+TEST(Hjif, TheReferenceEncodersModalityIsReadAsVibrotactile) {
   const auto i =
       import_pattern(hjif(band("Transient", basis(0, key(0, 0.8))), R"("gain":1)", "Other"))
           .value();
@@ -214,7 +214,7 @@ TEST(Hjif, TheReferenceEncodersModalityIsTakenForVibrotactile) {
   EXPECT_NEAR(level_at(i, 10), 0.8, 1e-3);
 }
 
-TEST(Hjif, NegativePositionsWrittenAsUnsignedAreJustBeforeTheirEffect) {
+TEST(Hjif, NegativePositionsWrittenAsUnsignedPrecedeTheirEffect) {
   const auto curve =
       import_pattern(hjif(band("Curve", basis(100, key(65'534, 1) + "," + key(48, 1))))).value();
   EXPECT_EQ(curve.pattern.keyframes.back().t_ms, 148);
@@ -251,7 +251,7 @@ TEST(Hjif, LateKeyFramesInTheirOrderStayLate) {
   EXPECT_THAT(steady.notes, IsEmpty());
 }
 
-TEST(Hjif, WhatDoesNotMapIsSaid) {
+TEST(Hjif, UnsupportedPropertiesAreReported) {
   const std::string wave = band("VectorialWave", basis(0, key(0, 1, 40) + "," + key(99, 1, 90)));
   const std::string curve = band("Curve", basis(0, key(0, -1) + "," + key(99, 1)), "Akima");
   const auto i = import_pattern(hjif(wave + "," + curve + "," + band("WaveletWave", ""))).value();
@@ -281,7 +281,7 @@ std::string random_effect() {
                *rc::gen::element<std::string>("Sine", "Square", "SawToothDown"));
 }
 
-RC_GTEST_PROP(HjifLaw, WhatIsImportedIsWhatTheDaemonTakes, ()) {
+RC_GTEST_PROP(HjifLaw, ImportedPatternsAreAcceptedByTheDaemon, ()) {
   std::string bands =
       band("Curve", basis(*rc::gen::inRange(0, 59'000), key(0, 1) + "," + key(9, 1)));
   for (int n = *rc::gen::inRange(0, 6); n > 0; --n) {

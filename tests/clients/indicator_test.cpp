@@ -18,8 +18,8 @@ std::string telemetry(const std::string& model_c) {
          model_c + R"(,"coils":[25,25,25],"age_ms":null}}})";
 }
 
-/// The first report of an indicator whose daemon sends `told` once.
-IndicatorReport report_of(const std::string& told) {
+/// The first report of an indicator whose daemon sends `first_line` once.
+IndicatorReport report_of(const std::string& first_line) {
   FakeDaemon daemon([&](FakePeer& peer) {
     int id = 0;
     for (const char* result :
@@ -29,14 +29,14 @@ IndicatorReport report_of(const std::string& told) {
       peer.send_line(R"({"jsonrpc":"2.0","id":)" + std::to_string(++id) + R"(,"result":)" + result +
                      "}");
     }
-    peer.send_line(told);
+    peer.send_line(first_line);
     for (std::string line = peer.read(); !line.empty(); line = peer.read())
       if (line.find("effect.stop_all") != std::string::npos)
         peer.send_line(R"({"jsonrpc":"2.0","id":4,"result":{"stopped":1}})");
   });
   std::optional<IndicatorReport> first;
   {
-    Connection connection = Connection::open({daemon.address()}, kLongPatience).value();
+    Connection connection = Connection::open({daemon.address()}, kLongTimeout).value();
     const auto ended = Indicator(connection, {})
                            .run([&] { return first.has_value(); },
                                 [&](const IndicatorReport& report) { first = report; });
@@ -45,7 +45,7 @@ IndicatorReport report_of(const std::string& told) {
   return first.value_or(IndicatorReport{});
 }
 
-TEST(IndicatorReport, ATemperatureThatIsNotKnownIsNoZero) {
+TEST(IndicatorReport, AnUnknownTemperatureIsNotZero) {
   EXPECT_EQ(report_of(telemetry("61.24")).temperature_c, 61.24);
   EXPECT_EQ(report_of(telemetry("null")).temperature_c, std::nullopt);
 }

@@ -27,7 +27,7 @@ TEST(LatencyVerb, HasALineForEachStage) {
                           "read to frame sent           0.640     1.200    13.500"));
 }
 
-TEST(LatencyVerb, WithoutEffectsItSaysHowToPlayOne) {
+TEST(LatencyVerb, WithoutEffectsItExplainsHowToPlayOne) {
   EXPECT_THAT(latency_lines({}), ElementsAre(HasSubstr("hedgehogctl pulse")));
 }
 

@@ -18,7 +18,7 @@ std::string read(std::string_view text) {
   return (options.tls ? "tls " : "") + options.host + " " + std::to_string(options.port);
 }
 
-TEST(BrokerAddress, IsReadInTheWaysThatPeopleWriteIt) {
+TEST(BrokerAddress, IsReadInEveryCommonNotation) {
   EXPECT_EQ(read("broker"), "broker 1883");
   EXPECT_EQ(read("broker:1884"), "broker 1884");
   EXPECT_EQ(read("mqtt://10.0.0.2"), "10.0.0.2 1883");
@@ -30,7 +30,7 @@ TEST(BrokerAddress, IsReadInTheWaysThatPeopleWriteIt) {
   EXPECT_EQ(read("/run/mosquitto.sock"), "/run/mosquitto.sock 0");
 }
 
-TEST(BrokerAddress, ThatIsNoneIsNamed) {
+TEST(BrokerAddress, AnInvalidOneIsNamed) {
   for (const char* text : {"", "mqtts://", "broker:", "broker:0", "broker:65536"})
     EXPECT_THAT(read(text), HasSubstr("'" + std::string(text) + "' is no broker")) << text;
 }

@@ -18,21 +18,21 @@ using testing::SizeIs;
 
 const Topics kLabTopics("lab/hedgehog", "HH 1/2");
 
-Message asking(const std::string& topic, const std::string& payload) {
+Message message_to(const std::string& topic, const std::string& payload) {
   Message message;
   message.topic = topic;
   message.payload = payload;
   return message;
 }
 
-TEST(MqttTopics, AreBelowThePrefixAndTheIdAsOneLevel) {
+TEST(MqttTopics, AreBelowThePrefixWithTheIdAsOneLevel) {
   EXPECT_EQ(kLabTopics.id(), "HH-1-2");
   EXPECT_EQ(kLabTopics.availability(), "lab/hedgehog/HH-1-2/availability");
   EXPECT_EQ(kLabTopics.event("overrun"), "lab/hedgehog/HH-1-2/event/overrun");
   EXPECT_EQ(Topics("hedgehog", "").id(), "-");
 }
 
-RC_GTEST_PROP(MqttTopics, OfAnyIdHaveNoWildcardAndNoOtherLevel, (const std::string& id)) {
+RC_GTEST_PROP(MqttTopics, HaveNoWildcardAndNoFurtherLevelForAnyId, (const std::string& id)) {
   const std::string level = topic_level(id);
   RC_ASSERT(level.find_first_of("+#/") == std::string::npos);
   RC_ASSERT(!level.empty());
@@ -41,7 +41,7 @@ RC_GTEST_PROP(MqttTopics, OfAnyIdHaveNoWildcardAndNoOtherLevel, (const std::stri
 
 TEST(MqttRequest, IsTheMethodOfItsTopicWithThePayloadAsParameters) {
   const auto request = remote_request(
-      kLabTopics, asking("lab/hedgehog/HH-1-2/effect/pulse", "{\n\"direction\": \"left\"}"));
+      kLabTopics, message_to("lab/hedgehog/HH-1-2/effect/pulse", "{\n\"direction\": \"left\"}"));
   ASSERT_TRUE(request.has_value());
   EXPECT_EQ(request->method, "effect.pulse");
   EXPECT_EQ(request->params_json, R"({"direction":"left"})");
@@ -49,36 +49,36 @@ TEST(MqttRequest, IsTheMethodOfItsTopicWithThePayloadAsParameters) {
 
 TEST(MqttRequest, WithoutAPayloadHasNoParameters) {
   const auto request =
-      remote_request(kLabTopics, asking("lab/hedgehog/HH-1-2/effect/stop_all", ""));
+      remote_request(kLabTopics, message_to("lab/hedgehog/HH-1-2/effect/stop_all", ""));
   EXPECT_EQ(request->params_json, "{}");
 }
 
 // A button of Home Assistant sends plain text.
-TEST(MqttRequest, OfTheEmergencyStopIsOneWhateverItHolds) {
+TEST(MqttRequest, OfTheEmergencyStopMayHaveAnyPayload) {
   for (const char* payload : {"", "PRESS", "{", "[1]"}) {
     const auto request =
-        remote_request(kLabTopics, asking("lab/hedgehog/HH-1-2/emergency_stop", payload));
+        remote_request(kLabTopics, message_to("lab/hedgehog/HH-1-2/emergency_stop", payload));
     ASSERT_TRUE(request.has_value()) << payload;
     EXPECT_EQ(request->method, "device.emergency_stop");
   }
 }
 
-TEST(MqttRequest, OfWhatABrokersClientsMayNotAskIsRefused) {
+TEST(MqttRequest, OfAMethodThatBrokerClientsMayNotCallIsRefused) {
   for (const char* topic :
        {"effect/preview", "effect/", "effect/pulse/x", "device/arm", "effect"}) {
     const auto request =
-        remote_request(kLabTopics, asking("lab/hedgehog/HH-1-2/" + std::string(topic), "{}"));
+        remote_request(kLabTopics, message_to("lab/hedgehog/HH-1-2/" + std::string(topic), "{}"));
     ASSERT_FALSE(request.has_value()) << topic;
     EXPECT_EQ(request.error().code, protocol::ErrorCode::kMethodNotFound);
   }
   EXPECT_FALSE(
-      remote_request(kLabTopics, asking("lab/hedgehog/other/effect/pulse", "{}")).has_value());
+      remote_request(kLabTopics, message_to("lab/hedgehog/other/effect/pulse", "{}")).has_value());
 }
 
-TEST(MqttRequest, WhosePayloadIsNoObjectIsRefused) {
+TEST(MqttRequest, WithAPayloadThatIsNoObjectIsRefused) {
   for (const char* payload : {"left", "[]", "1", "null", "{\"a\":", "{\"a\":\"\xff\"}"}) {
     const auto request =
-        remote_request(kLabTopics, asking("lab/hedgehog/HH-1-2/effect/pulse", payload));
+        remote_request(kLabTopics, message_to("lab/hedgehog/HH-1-2/effect/pulse", payload));
     ASSERT_FALSE(request.has_value()) << payload;
     EXPECT_EQ(request.error().code, protocol::ErrorCode::kInvalidParams);
     EXPECT_THAT(request.error().message, HasSubstr("effect.pulse"));
@@ -87,14 +87,14 @@ TEST(MqttRequest, WhosePayloadIsNoObjectIsRefused) {
 
 RC_GTEST_PROP(MqttRequest, OfAnyBytesIsRefusedOrOneLine, (const std::string& payload)) {
   const auto request =
-      remote_request(kLabTopics, asking("lab/hedgehog/HH-1-2/effect/pulse", payload));
+      remote_request(kLabTopics, message_to("lab/hedgehog/HH-1-2/effect/pulse", payload));
   if (!request) return;
   RC_ASSERT(request->params_json.find('\n') == std::string::npos);
   RC_ASSERT(json::parse(request->params_json).is_object());
 }
 
 TEST(MqttResponse, GoesToTheResponseTopicWithItsCorrelation) {
-  Message request = asking("lab/hedgehog/HH-1-2/effect/pulse", "{}");
+  Message request = message_to("lab/hedgehog/HH-1-2/effect/pulse", "{}");
   request.response_topic = "replies/7";
   request.correlation = std::string("\0x", 2);
   PendingRequests pending;
@@ -108,8 +108,8 @@ TEST(MqttResponse, GoesToTheResponseTopicWithItsCorrelation) {
   EXPECT_THAT(pending.take(kLabTopics, {protocol::Id::number(3), std::string("{}")}), IsEmpty());
 }
 
-TEST(MqttResponse, WithoutAResponseTopicIsOnlyOfWhatWasRefused) {
-  const Message request = asking("lab/hedgehog/HH-1-2/effect/pulse", "{}");
+TEST(MqttResponse, WithoutAResponseTopicIsSentForRefusalsOnly) {
+  const Message request = message_to("lab/hedgehog/HH-1-2/effect/pulse", "{}");
   EXPECT_THAT(response_to(kLabTopics, request, std::string("{}")), IsEmpty());
   const auto responses =
       response_to(kLabTopics, request, protocol::out_of_range("level", 1.0, 1.4));
@@ -121,9 +121,9 @@ TEST(MqttResponse, WithoutAResponseTopicIsOnlyOfWhatWasRefused) {
   EXPECT_EQ(body["error"]["data"]["field"], "level");
 }
 
-TEST(MqttResponse, ComesForAllWhenTheDaemonIsGone) {
+TEST(MqttResponse, IsSentForAllWhenTheDaemonDisconnects) {
   PendingRequests pending;
-  Message request = asking("lab/hedgehog/HH-1-2/effect/pulse", "{}");
+  Message request = message_to("lab/hedgehog/HH-1-2/effect/pulse", "{}");
   request.response_topic = "replies/7";
   for (std::size_t i = 0; i < PendingRequests::kMax; ++i) {
     EXPECT_FALSE(pending.full());

@@ -43,7 +43,7 @@ class EmptyFolder {
   TemporaryFolder folder_;
 };
 
-TEST(PatternFile, ANameIsAFileWhenItEndsInJsonUnlessItIsAVendorsAndThereIsNoSuchFile) {
+TEST(PatternFile, ANameThatEndsInJsonIsAFileUnlessItIsAVendorsAndTheFileIsMissing) {
   const EmptyFolder here;
   EXPECT_FALSE(is_pattern_file("heartbeat"));
   EXPECT_FALSE(is_pattern_file("acme/knock"));
@@ -58,7 +58,7 @@ TEST(PatternFile, ANameIsAFileWhenItEndsInJsonUnlessItIsAVendorsAndThereIsNoSuch
   EXPECT_TRUE(is_pattern_file("acme/x.json")) << "the file is nearer";
 }
 
-TEST(PatternFile, OtherFormatsAreFilesByTheirEndingInCapitalsToo) {
+TEST(PatternFile, OtherFormatsAreRecognisedByTheirExtensionInCapitalsToo) {
   const EmptyFolder here;
   for (const char* file : {"boing.ahap", "Boing.AHAP", "buzz.hjif", "/nowhere/Buzz.Hjif"})
     EXPECT_TRUE(is_pattern_file(file)) << file;
@@ -66,7 +66,7 @@ TEST(PatternFile, OtherFormatsAreFilesByTheirEndingInCapitalsToo) {
     EXPECT_FALSE(is_pattern_file(name)) << name;
 }
 
-TEST(PatternFile, IsReadByItsEndingWhateverItsFormat) {
+TEST(PatternFile, IsReadAccordingToItsExtension) {
   const TemporaryFolder folder;
   const auto own = read_any_pattern(
       folder.write("own.json", R"({"name":"a/b","keyframes":[{"t_ms":5,"level":1}]})"));
@@ -85,9 +85,9 @@ TEST(PatternFile, IsReadByItsEndingWhateverItsFormat) {
   EXPECT_EQ(hjif->pattern.keyframes.back().level, 0.0);
 }
 
-TEST(PatternFile, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
+TEST(PatternFile, AnErrorNamesTheFileThePositionAndTheAllowedValues) {
   const TemporaryFolder folder;
-  const auto why = [&](const char* name, const std::string& text) {
+  const auto error_of = [&](const char* name, const std::string& text) {
     const std::string path = folder.write(name, text);
     const auto read = read_any_pattern(path);
     EXPECT_FALSE(read);
@@ -95,12 +95,12 @@ TEST(PatternFile, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
     EXPECT_THAT(read.error().message, StartsWith(path + ": "));
     return read.error().message;
   };
-  EXPECT_THAT(why("broken.ahap", R"({"Pattern":[})"), HasSubstr("goes wrong at byte 13"));
-  EXPECT_THAT(why("other.hjif", "{}"), HasSubstr("neither AHAP"));
-  EXPECT_THAT(why("list.ahap", R"({"Pattern":{}})"), HasSubstr("has a list of that name"));
-  EXPECT_THAT(why("audio.ahap", R"({"Pattern":[{"Event":{"EventType":"AudioCustom"}}]})"),
+  EXPECT_THAT(error_of("broken.ahap", R"({"Pattern":[})"), HasSubstr("goes wrong at byte 13"));
+  EXPECT_THAT(error_of("other.hjif", "{}"), HasSubstr("neither AHAP"));
+  EXPECT_THAT(error_of("list.ahap", R"({"Pattern":{}})"), HasSubstr("has a list of that name"));
+  EXPECT_THAT(error_of("audio.ahap", R"({"Pattern":[{"Event":{"EventType":"AudioCustom"}}]})"),
               HasSubstr("there is no haptic event in the file that a ball can play"));
-  EXPECT_THAT(why("own.json", R"({"name":"a/b","keyframes":[{"t_ms":5,"level":7}]})"),
+  EXPECT_THAT(error_of("own.json", R"({"name":"a/b","keyframes":[{"t_ms":5,"level":7}]})"),
               HasSubstr("keyframes[0].level"));
   EXPECT_EQ(read_any_pattern(folder.path("none.ahap")).error().failure, Failure::kNoInput);
 }
@@ -134,7 +134,7 @@ TEST(PlayedFile, LongerThanAnEffectMayLastIsRenewedUntilItsEnd) {
       << "until Ctrl-C";
 }
 
-TEST(PlayedFile, OfAnotherFormatIsRefusedWithThoseThatThereAre) {
+TEST(PlayedFile, OfAnotherFormatIsRefusedWithTheSupportedOnes) {
   const TemporaryFolder folder;
   const std::string file = folder.write("Drum.midi", "MThd");
   const auto read = with_file(played(file));
@@ -144,7 +144,7 @@ TEST(PlayedFile, OfAnotherFormatIsRefusedWithThoseThatThereAre) {
   EXPECT_TRUE(with_file(played("heartbeat"))) << "a name";
 }
 
-TEST(PatternFile, WhatIsNoRegularFileIsRefusedWithoutWaitingForIt) {
+TEST(PatternFile, IsRefusedWithoutBlockingIfItIsNoRegularFile) {
   const TemporaryFolder folder;
   const std::string fifo = folder.path("fifo.json");
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);

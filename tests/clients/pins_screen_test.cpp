@@ -31,7 +31,7 @@ Ball armed_ball() {
 }
 
 // For any currents and either calibration: each number is separate and can be read back.
-RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
+RC_GTEST_PROP(BallNumbers, AreSeparateInEightyColumns, ()) {
   const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
   const model::Vec3 field{part(), part(), part()};
   const auto motion = model::pin_motion(model::thesis_ball().array, model::thesis_ball().curves,
@@ -39,7 +39,7 @@ RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
   const auto lines = ball_numbers(model::thesis_ball().array, motion.extension_mm, motion.force_n,
                                   {.ascii = true});
   RC_ASSERT(lines.size() == 10u);
-  std::multiset<std::string> wanted;
+  std::multiset<std::string> expected;
   std::multiset<std::string> drawn;
   for (std::size_t row = 0; row < 8; ++row) {
     RC_ASSERT(columns(lines[row + 1]) <= 79u);
@@ -48,9 +48,9 @@ RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
     for (const model::Pin& pin : model::thesis_ball().array.ring(row)) {
       const std::string number =
           fixed(100.0 * motion.extension_mm[static_cast<std::size_t>(pin.id)], 0);
-      wanted.insert(number == "0" ? "." : number);
+      expected.insert(number == "0" ? "." : number);
     }
-    RC_ASSERT(drawn == wanted);
+    RC_ASSERT(drawn == expected);
   }
 }
 
@@ -69,7 +69,7 @@ RC_GTEST_PROP(BallNumbers, AnyPinsAndAnyNumbersStayInTheirLines, ()) {
   RC_ASSERT(ball_map(pins, out, style).size() == 10u);
 }
 
-TEST(BallNumbers, MarkWhatIsUpAndColourWhatIsStrong) {
+TEST(BallNumbers, MarkUpAndColourStrongForces) {
   std::vector<double> out(86);
   std::vector<double> forces(86);
   out[0] = 0.236;
@@ -84,7 +84,7 @@ TEST(BallNumbers, MarkWhatIsUpAndColourWhatIsStrong) {
   EXPECT_THAT(coloured[8], HasSubstr("\033[2m-9\033[0m"));
 }
 
-TEST(PinsScreen, SaysWhoIsFarthestOutIn80By22) {
+TEST(PinsScreen, ShowsTheFarthestPinIn80By22) {
   Ball ball = armed_ball();
   const auto motion = model::pin_motion(model::thesis_ball().array, model::thesis_ball().curves,
                                         {{0, 0, 15}}, 0.0126);
@@ -114,7 +114,7 @@ TEST(PinsScreen, SaysWhoIsFarthestOutIn80By22) {
   EXPECT_THAT(pins_line(ball.status), EndsWith(" in"));
 }
 
-TEST(PinsScreen, SaysSoWhenAllRest) {
+TEST(PinsScreen, ReportsThatAllPinsRest) {
   const Ball ball = armed_ball();
   EXPECT_THAT(pins_screen(ball, {}), testing::Contains("  all pins rest"));
   EXPECT_THAT(pins_line(ball.status), EndsWith("all pins rest"));

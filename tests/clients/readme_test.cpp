@@ -11,7 +11,7 @@
 namespace hedgehog::client {
 namespace {
 
-TEST(Readme, ShowsOnlyLinesThatTheDaemonTakes) {
+TEST(Readme, ShowsOnlyLinesThatTheDaemonAccepts) {
   std::ifstream readme(source_folder() + "/clients/README.md");
   ASSERT_TRUE(readme.is_open());
   int seen = 0;

@@ -39,7 +39,7 @@ TEST(Rest, IsOneTemperatureWithinTwoKelvin) {
   EXPECT_EQ(rest_deviation(t, kThermal).what, "the core is 3.0 K warmer than the thermometer");
 }
 
-TEST(Rest, TheEstimateMustBeSureOfItself) {
+TEST(Rest, NeedsACertainEstimate) {
   protocol::TemperatureStatus t = all_at(25.0);
   t.upper = 28.5;
   EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("has not watched the ball for long"));
@@ -48,7 +48,7 @@ TEST(Rest, TheEstimateMustBeSureOfItself) {
   EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("does not know yet"));
 }
 
-TEST(Rest, ThreeThermistorsMustAgreeButForTheirTolerance) {
+TEST(Rest, ThreeThermistorsMustAgreeWithinTheirTolerance) {
   protocol::TemperatureStatus t = all_at(25.0);
   t.sensors = {24.1, 25.0, 25.9};
   EXPECT_FALSE(rest_deviation(t, kThermal).any());
@@ -57,7 +57,7 @@ TEST(Rest, ThreeThermistorsMustAgreeButForTheirTolerance) {
   EXPECT_EQ(rest_deviation(t, kThermal).what, "the thermometers of the windings are 4.5 K apart");
 }
 
-RC_GTEST_PROP(Rest, HasComeAfterTheWaitThatIsTold, ()) {
+RC_GTEST_PROP(Rest, IsReachedAfterTheReportedWait, ()) {
   model::PlantParameters ball;
   const auto off = [](double& value) { value *= 1.0 + *rc::gen::inRange(-15, 16) / 100.0; };
   for (double& value : ball.winding_j_k) off(value);
@@ -69,11 +69,11 @@ RC_GTEST_PROP(Rest, HasComeAfterTheWaitThatIsTold, ()) {
   plant.set_heat({{core_c, hot_c, core_c}, core_c});
   protocol::TemperatureStatus t = all_at(core_c);
   t.coils[1] = hot_c;
-  const RestDeviation unrest = rest_deviation(t, kThermal);
-  RC_ASSERT(unrest.any());
-  RC_ASSERT(unrest.wait_s < 3600.0);
+  const RestDeviation deviation = rest_deviation(t, kThermal);
+  RC_ASSERT(deviation.any());
+  RC_ASSERT(deviation.wait_s < 3600.0);
   bool fan = hot_c > 35.0;
-  for (double s = 0.0; s < unrest.wait_s; s += 0.1) {
+  for (double s = 0.0; s < deviation.wait_s; s += 0.1) {
     fan = plant.hottest_winding_c() > (fan ? 35.0 : 40.0);
     plant.step_thermal({}, fan ? 1.0 : 0.0, 0.1);
   }
@@ -81,7 +81,7 @@ RC_GTEST_PROP(Rest, HasComeAfterTheWaitThatIsTold, ()) {
   RC_ASSERT(plant.hottest_winding_c() - now.core_c < kMaxApartK);
 }
 
-TEST(Drift, AWarmWindingShowsByItsResistanceAlone) {
+TEST(Drift, AWarmWindingIsDetectedByItsResistance) {
   const WindingMeasurement first{100.0, 25.0, {0.45, 0.46, 0.44}};
   WindingMeasurement second{140.0, 25.0, {0.45, 0.46, 0.44}};
   EXPECT_FALSE(drift_of(first, second).any());
@@ -100,12 +100,12 @@ TEST(Drift, AWarmWindingShowsByItsResistanceAlone) {
   EXPECT_THAT(drift_of(first, second).what, HasSubstr("winding x has warmed by 2.0 K"));
 }
 
-TEST(Drift, MinutesAreToldWhole) {
+TEST(Drift, MinutesAreRoundedToIntegers) {
   EXPECT_EQ(minutes_text(5.0), "1 minute");
   EXPECT_EQ(minutes_text(61.0), "2 minutes");
 }
 
-TEST(ResistanceUncertainty, GrowsWithWhatTheThermometerMayBeOff) {
+TEST(ResistanceUncertainty, GrowsWithTheToleranceOfTheThermometer) {
   Calibration found;
   found.resistance_share = 0.01;
   EXPECT_DOUBLE_EQ(resistance_uncertainty(found), 0.01);

@@ -29,7 +29,7 @@ std::size_t marks(const std::vector<std::string>& lines, const std::string& mark
   return count;
 }
 
-TEST(BallMap, HasARowARingAndAMarkAPin) {
+TEST(BallMap, HasOneRowPerRingAndOneMarkPerPin) {
   const auto lines = ball_map(model::thesis_ball().array, forces_of({}), {});
   ASSERT_EQ(lines.size(), 10u);
   EXPECT_EQ(marks(lines, "·"), 86u);
@@ -52,13 +52,13 @@ TEST(BallMap, ShowsAPushUpOnTop) {
   EXPECT_EQ(marks({"", lines[8], ""}, "@"), 0u);
 }
 
-TEST(BallMap, MarksWhatIsUpInTheRoom) {
+TEST(BallMap, MarksTheWorldsUp) {
   const auto lines =
       ball_map(model::thesis_ball().array, forces_of({}), {true, model::Vec3{1, 0, 0}});
   EXPECT_EQ(marks(lines, "^"), 1u);
 }
 
-RC_GTEST_PROP(BallMap, NeverLeavesEightyColumns, ()) {
+RC_GTEST_PROP(BallMap, FitsEightyColumns, ()) {
   const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
   const auto lines = ball_map(model::thesis_ball().array, forces_of({part(), part(), part()}), {});
   for (const std::string& line : lines) RC_ASSERT(columns(line) <= 79u);
@@ -76,7 +76,7 @@ TEST(Bar, ShowsItsMarksFilledOrNot) {
   EXPECT_EQ(columns(bar(26.0, 0.0, 26.0, marks, false)), 26u);
 }
 
-TEST(Words, SayNumbersAsPeopleReadThem) {
+TEST(Words, FormatNumbersForPeople) {
   EXPECT_EQ(fixed_signed(4.96, 1), "+5.0");
   EXPECT_EQ(fixed_signed(-0.04, 1), "0.0");
   EXPECT_EQ(fixed_signed(-0.26, 1), "-0.3");
@@ -88,17 +88,17 @@ TEST(Words, SayNumbersAsPeopleReadThem) {
   EXPECT_EQ(headroom_words(std::nullopt), "for ever");
 }
 
-TEST(Words, ATemperatureThatIsNotKnownIsNoNumber) {
+TEST(Words, ShowAnUnknownTemperatureWithoutANumber) {
   EXPECT_EQ(temperature_words(61.24), "61.2 °C");
   EXPECT_EQ(temperature_words({}), "temperature unknown");
 }
 
-TEST(Words, CutByCharactersNotBytes) {
+TEST(Words, TruncateByCharactersNotBytes) {
   EXPECT_EQ(cut("°°°°", 4), "°°°°");
   EXPECT_EQ(cut("°°°°", 3), "°°…");
 }
 
-TEST(StatusScreen, SaysEverythingInEightyColumns) {
+TEST(StatusScreen, ShowsAllFieldsInEightyColumns) {
   const auto lines = status_screen(warm_ball(), {});
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   EXPECT_THAT(lines[0], StartsWith("  ball-7 · armed"));
@@ -112,7 +112,7 @@ TEST(StatusScreen, SaysEverythingInEightyColumns) {
                          "  orientation   3 ms old  tilted 12° left, 4° forward, heading 0°"));
 }
 
-TEST(StatusScreen, ColoursTheStateAndCutsNothingIntoAPipe) {
+TEST(StatusScreen, ColoursTheStateAndTruncatesNothingInAPipe) {
   const ScreenStyle coloured{.colour = true};
   Ball ball = warm_ball();
   EXPECT_THAT(live_title(ball.status, coloured), HasSubstr("\033[32marmed\033[0m"));
@@ -126,7 +126,7 @@ TEST(StatusScreen, ColoursTheStateAndCutsNothingIntoAPipe) {
   EXPECT_THAT(status_screen(ball, {}), testing::Contains(EndsWith("…")));
 }
 
-TEST(StatusScreen, LeadsWithTheHottestWindingAndNamesTheThermistor) {
+TEST(StatusScreen, ShowsTheHottestWindingFirstAndNamesTheThermistor) {
   const auto lines = status_screen(hot_ball(), {});
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   EXPECT_THAT(lines[2], StartsWith("  temperature    66.1 °C  ━━━━━━━━━"));
@@ -135,7 +135,7 @@ TEST(StatusScreen, LeadsWithTheHottestWindingAndNamesTheThermistor) {
   EXPECT_EQ(lines[4], "  thermistor     38.3 °C  on winding z, 3 ms old");
 }
 
-TEST(StatusScreen, AThermistorThatIsSilentIsSaidToBe) {
+TEST(StatusScreen, ASilentThermistorIsReported) {
   Ball ball = hot_ball();
   ball.status.temperature_c.sensor.reset();
   ball.status.temperature_c.age_ms = 1500;
@@ -146,7 +146,7 @@ TEST(StatusScreen, AThermistorThatIsSilentIsSaidToBe) {
               testing::Contains("  thermistor     unknown  on winding z, never read"));
 }
 
-TEST(StatusScreen, SaysWhyItIsTrippedAndWhatToDo) {
+TEST(StatusScreen, ShowsTheReasonOfATripAndItsRemedy) {
   Ball ball = warm_ball();
   ball.status.state = "tripped";
   ball.status.reason = "sensor_frozen";
@@ -158,7 +158,7 @@ TEST(StatusScreen, SaysWhyItIsTrippedAndWhatToDo) {
   EXPECT_THAT(lines, testing::Contains("  headroom          none  nothing may flow"));
 }
 
-TEST(StatusScreen, NeverInventsATemperature) {
+TEST(StatusScreen, ShowsNoUnknownTemperature) {
   Ball ball = warm_ball();
   ball.status.temperature_c.thermometer = 38.04;
   EXPECT_THAT(status_screen(ball, {}),

@@ -25,12 +25,12 @@ constexpr std::int64_t kNsPerS = 1'000'000'000;
 
 /// A daemon whose time stands still until it has a number of effects. Then it advances by half a
 /// minute, as for a stopped program (Ctrl-Z), while older telemetry is still unread.
-class PausedDaemon {
+class ScriptedDaemon {
  public:
-  explicit PausedDaemon(std::size_t effects) : effects_(effects) {}
+  explicit ScriptedDaemon(std::size_t effects) : effects_(effects) {}
 
   /// Ends early when there are more than `effects`.
-  void converse(FakePeer& peer) {
+  void run(FakePeer& peer) {
     for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
       const json request = json::parse(line);
       const std::size_t before = starts_ns_.size();
@@ -76,10 +76,10 @@ class PausedDaemon {
   std::vector<std::int64_t> starts_ns_{};
 };
 
-TEST(SoundPlayer, SlicesThatPassedWhileItWasStoppedAreLeftOut) {
+TEST(SoundPlayer, SkipsSlicesMissedWhileStopped) {
   // Of six half-second slices, four begin within the two seconds that are sent ahead.
-  PausedDaemon paused(4);
-  FakeDaemon daemon([&](FakePeer& peer) { paused.converse(peer); });
+  ScriptedDaemon paused(4);
+  FakeDaemon daemon([&](FakePeer& peer) { paused.run(peer); });
   const TemporaryFolder folder;
   const auto tone = [](double t) { return std::pair(0.5 * sine(t, 40.0), 0.0); };
   sound::SliceOptions options;
@@ -89,7 +89,7 @@ TEST(SoundPlayer, SlicesThatPassedWhileItWasStoppedAreLeftOut) {
           sound::SoundFile::open(folder.write("tone.wav", wav_of(3.0, tone))).value(), options),
       "{}", "{}"};
   {
-    Session session{Connection::open({daemon.address()}, kLongPatience).value(), true, {}};
+    Session session{Connection::open({daemon.address()}, kLongTimeout).value(), true, {}};
     SoundPlayer player(session, sound, "tone");
     const auto played = player.play();
     EXPECT_TRUE(played) << played.error().message;

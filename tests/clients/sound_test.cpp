@@ -46,7 +46,7 @@ std::vector<Push> pushes_of(const std::vector<Slice>& slices) {
   return pushes;
 }
 
-TEST(Sound, ClicksBecomePushesWhenTheyCome) {
+TEST(Sound, ClicksBecomePushesAtTheirTime) {
   const std::vector<double> times{0.1, 0.3, 0.498, 0.7, 1.25};
   const auto pushes = pushes_of(slices_of(2.0, [&](double t) {
     double sum = 0.0;
@@ -129,7 +129,7 @@ RC_GTEST_PROP(Sound, AClickIsFoundAtAnyTimeAndRate, ()) {
   RC_ASSERT(std::abs(pushes[0].azimuth_deg - azimuth_deg(1.0, right)) <= 2.0);
 }
 
-RC_GTEST_PROP(Sound, KeyFramesAreSuchAsTheDaemonTakes, (std::vector<int> heights)) {
+RC_GTEST_PROP(Sound, KeyFramesAreAcceptedByTheDaemon, (std::vector<int> heights)) {
   const auto slices = slices_of(
       1.2,
       [&](double t) {
@@ -152,20 +152,23 @@ RC_GTEST_PROP(Sound, KeyFramesAreSuchAsTheDaemonTakes, (std::vector<int> heights
   }
 }
 
-TEST(SoundFile, SaysWhatIsWrongWithAFile) {
+TEST(SoundFile, NamesTheProblemOfAFile) {
   const TemporaryFolder folder;
   folder.write("text.wav", "no sound\n");
   folder.write("fast.wav", client::wav_of(
                                0.01, [](double) { return std::pair(0.0, 0.0); }, 500'000));
   folder.write("empty.wav", client::wav_of(0.0, [](double) { return std::pair(0.0, 0.0); }));
   ASSERT_EQ(::mkfifo(folder.path("fifo.wav").c_str(), 0600), 0);
-  const auto why = [&](const char* name) { return SoundFile::open(folder.path(name)).error(); };
-  EXPECT_EQ(why("none.wav").failure, client::Failure::kNoInput);
-  EXPECT_EQ(why("fifo.wav").message, folder.path("fifo.wav") + ": is a FIFO, not a regular file");
-  EXPECT_EQ(why("text.wav").failure, client::Failure::kBadData);
-  EXPECT_EQ(why("fast.wav").message,
+  const auto error_of = [&](const char* name) {
+    return SoundFile::open(folder.path(name)).error();
+  };
+  EXPECT_EQ(error_of("none.wav").failure, client::Failure::kNoInput);
+  EXPECT_EQ(error_of("fifo.wav").message,
+            folder.path("fifo.wav") + ": is a FIFO, not a regular file");
+  EXPECT_EQ(error_of("text.wav").failure, client::Failure::kBadData);
+  EXPECT_EQ(error_of("fast.wav").message,
             folder.path("fast.wav") + ": has 500000 samples a second; 8000 to 192000 are read");
-  EXPECT_EQ(why("empty.wav").message, folder.path("empty.wav") + ": has no sound in it");
+  EXPECT_EQ(error_of("empty.wav").message, folder.path("empty.wav") + ": has no sound in it");
 }
 
 }  // namespace

@@ -14,31 +14,31 @@ using testing::SizeIs;
 
 const RawRequest kEvents{"events.subscribe", R"({"types":["state_changed"]})"};
 
-TEST(Subscriptions, HoldOnceTheDaemonHasAcceptedThem) {
+TEST(Subscriptions, AreActiveOnceTheDaemonHasAcceptedThem) {
   Subscriptions subscriptions;
-  subscriptions.asked(Id::number(2), kEvents);
+  subscriptions.on_request(Id::number(2), kEvents);
   EXPECT_THAT(subscriptions.current(), IsEmpty());
-  subscriptions.answered(Id::number(2), true);
+  subscriptions.on_response(Id::number(2), true);
   ASSERT_THAT(subscriptions.current(), SizeIs(1));
   EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
             kEvents.params_json);
 }
 
-TEST(Subscriptions, ThatWereRefusedOrNotAnsweredDoNotHold) {
+TEST(Subscriptions, ThatWereRefusedOrGotNoResponseAreNotActive) {
   Subscriptions subscriptions;
-  subscriptions.asked(Id::number(2), kEvents);
-  subscriptions.answered(Id::number(2), false);
-  subscriptions.asked(Id::number(3), kEvents);
-  subscriptions.connection_lost();
-  subscriptions.answered(Id::number(3), true);
+  subscriptions.on_request(Id::number(2), kEvents);
+  subscriptions.on_response(Id::number(2), false);
+  subscriptions.on_request(Id::number(3), kEvents);
+  subscriptions.on_connection_lost();
+  subscriptions.on_response(Id::number(3), true);
   EXPECT_THAT(subscriptions.current(), IsEmpty());
 }
 
 TEST(Subscriptions, AreOneOfEachKind) {
   Subscriptions subscriptions;
-  subscriptions.notified(kEvents);
-  subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 5.0}));
-  subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 20.0}));
+  subscriptions.on_notification(kEvents);
+  subscriptions.on_notification(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 5.0}));
+  subscriptions.on_notification(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 20.0}));
   ASSERT_THAT(subscriptions.current(), SizeIs(2));
   const auto& last = std::get<protocol::Request>(subscriptions.current()[1].request);
   EXPECT_EQ(std::get<protocol::TelemetrySubscribe>(last).rate_hz, 20.0);
@@ -46,101 +46,101 @@ TEST(Subscriptions, AreOneOfEachKind) {
 
 TEST(Subscriptions, EndWithTheirOwnUnsubscribe) {
   Subscriptions subscriptions;
-  subscriptions.notified(kEvents);
-  subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{}));
-  subscriptions.asked(Id::number(4), protocol::Request(protocol::EventsUnsubscribe{}));
+  subscriptions.on_notification(kEvents);
+  subscriptions.on_notification(protocol::Request(protocol::TelemetrySubscribe{}));
+  subscriptions.on_request(Id::number(4), protocol::Request(protocol::EventsUnsubscribe{}));
   EXPECT_THAT(subscriptions.current(), SizeIs(2)) << "not answered yet";
-  subscriptions.answered(Id::number(4), true);
+  subscriptions.on_response(Id::number(4), true);
   ASSERT_THAT(subscriptions.current(), SizeIs(1));
-  subscriptions.notified(RawRequest{"telemetry.unsubscribe", ""});
+  subscriptions.on_notification(RawRequest{"telemetry.unsubscribe", ""});
   EXPECT_THAT(subscriptions.current(), IsEmpty());
 }
 
-TEST(Subscriptions, ThatWereEndedAreNotBroughtBackByALateAcceptance) {
+TEST(Subscriptions, ThatWereEndedAreNotRestoredByALateAcceptance) {
   Subscriptions subscriptions;
-  subscriptions.asked(Id::number(2), kEvents);
-  subscriptions.notified(RawRequest{"events.unsubscribe", ""});
-  subscriptions.answered(Id::number(2), true);
+  subscriptions.on_request(Id::number(2), kEvents);
+  subscriptions.on_notification(RawRequest{"events.unsubscribe", ""});
+  subscriptions.on_response(Id::number(2), true);
   EXPECT_THAT(subscriptions.current(), IsEmpty()) << "it was sent before its end was";
 
-  subscriptions.asked(Id::number(3), kEvents);
-  subscriptions.asked(Id::number(4), RawRequest{"events.unsubscribe", ""});
-  subscriptions.answered(Id::number(4), true);
-  subscriptions.answered(Id::number(3), true);
+  subscriptions.on_request(Id::number(3), kEvents);
+  subscriptions.on_request(Id::number(4), RawRequest{"events.unsubscribe", ""});
+  subscriptions.on_response(Id::number(4), true);
+  subscriptions.on_response(Id::number(3), true);
   EXPECT_THAT(subscriptions.current(), IsEmpty()) << "in whichever order the responses come";
 
-  subscriptions.asked(Id::number(5), kEvents);
-  subscriptions.answered(Id::number(5), true);
+  subscriptions.on_request(Id::number(5), kEvents);
+  subscriptions.on_response(Id::number(5), true);
   EXPECT_THAT(subscriptions.current(), SizeIs(1)) << "subscribed to anew";
 }
 
-TEST(Subscriptions, OfTwoTheOneThatWasSentLastHolds) {
+TEST(Subscriptions, OfTwoTheOneSentLastIsActive) {
   Subscriptions subscriptions;
-  subscriptions.asked(Id::number(2), kEvents);
-  subscriptions.notified(RawRequest{"events.subscribe", R"({"scope":"all"})"});
-  subscriptions.answered(Id::number(2), true);
+  subscriptions.on_request(Id::number(2), kEvents);
+  subscriptions.on_notification(RawRequest{"events.subscribe", R"({"scope":"all"})"});
+  subscriptions.on_response(Id::number(2), true);
   ASSERT_THAT(subscriptions.current(), SizeIs(1));
   EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
             R"({"scope":"all"})");
 }
 
-TEST(Subscriptions, WhoseLaterChangeWasRefusedHoldAsTheyWere) {
+TEST(Subscriptions, StayUnchangedIfALaterChangeIsRefused) {
   Subscriptions subscriptions;
-  subscriptions.asked(Id::number(2), kEvents);
-  subscriptions.asked(Id::number(3), RawRequest{"events.subscribe", R"({"types":["no"]})"});
-  subscriptions.answered(Id::number(3), false);
-  subscriptions.answered(Id::number(2), true);
+  subscriptions.on_request(Id::number(2), kEvents);
+  subscriptions.on_request(Id::number(3), RawRequest{"events.subscribe", R"({"types":["no"]})"});
+  subscriptions.on_response(Id::number(3), false);
+  subscriptions.on_response(Id::number(2), true);
   ASSERT_THAT(subscriptions.current(), SizeIs(1));
   EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
             kEvents.params_json);
 }
 
-TEST(Subscriptions, ByANotificationThatTheDaemonCannotReadDoNotHold) {
+TEST(Subscriptions, ByAnInvalidNotificationAreNotActive) {
   Subscriptions subscriptions;
-  subscriptions.notified(kEvents);
+  subscriptions.on_notification(kEvents);
   for (const char* bad : {R"({"types":["no such type"]})", R"({"of":1})", "[1]", "{", "\n"})
-    subscriptions.notified(RawRequest{"events.subscribe", bad});
-  subscriptions.notified(RawRequest{"events.unsubscribe", R"({"types":["state_changed"]})"});
-  subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 1e6}));
+    subscriptions.on_notification(RawRequest{"events.subscribe", bad});
+  subscriptions.on_notification(RawRequest{"events.unsubscribe", R"({"types":["state_changed"]})"});
+  subscriptions.on_notification(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 1e6}));
   ASSERT_THAT(subscriptions.current(), SizeIs(1)) << "the daemon refused those, unheard";
   EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
             kEvents.params_json);
-  subscriptions.notified(RawRequest{"of_the_future.subscribe", R"({"of":1})"});
+  subscriptions.on_notification(RawRequest{"of_the_future.subscribe", R"({"of":1})"});
   EXPECT_THAT(subscriptions.current(), SizeIs(2)) << "whose parameters nobody here knows";
 }
 
 TEST(Subscriptions, EndWhenTheDaemonRefusesToRenewThem) {
   Subscriptions subscriptions;
-  subscriptions.notified(kEvents);
-  subscriptions.connection_lost();
+  subscriptions.on_notification(kEvents);
+  subscriptions.on_connection_lost();
   const auto renew = [&](int id) {
-    subscriptions.renewed(Id::number(id), Subscriptions::Held(subscriptions.current()[0]));
+    subscriptions.on_renewal(Id::number(id), Subscriptions::Held(subscriptions.current()[0]));
   };
   renew(2);
-  EXPECT_EQ(subscriptions.answered(Id::number(2), true), std::nullopt);
+  EXPECT_EQ(subscriptions.on_response(Id::number(2), true), std::nullopt);
   renew(3);
-  subscriptions.connection_lost();
+  subscriptions.on_connection_lost();
   EXPECT_THAT(subscriptions.current(), SizeIs(1)) << "not answered: due again";
   renew(4);
-  EXPECT_EQ(subscriptions.answered(Id::number(4), false), "events.subscribe");
+  EXPECT_EQ(subscriptions.on_response(Id::number(4), false), "events.subscribe");
   EXPECT_THAT(subscriptions.current(), IsEmpty());
 }
 
 TEST(Subscriptions, ThatWereReplacedMeanwhileOutliveARefusedRenewal) {
   Subscriptions subscriptions;
-  subscriptions.notified(kEvents);
-  subscriptions.renewed(Id::number(2), Subscriptions::Held(subscriptions.current()[0]));
-  subscriptions.notified(RawRequest{"events.subscribe", R"({"scope":"all"})"});
-  EXPECT_EQ(subscriptions.answered(Id::number(2), false), std::nullopt);
+  subscriptions.on_notification(kEvents);
+  subscriptions.on_renewal(Id::number(2), Subscriptions::Held(subscriptions.current()[0]));
+  subscriptions.on_notification(RawRequest{"events.subscribe", R"({"scope":"all"})"});
+  EXPECT_EQ(subscriptions.on_response(Id::number(2), false), std::nullopt);
   EXPECT_THAT(subscriptions.current(), SizeIs(1));
 }
 
-TEST(Subscriptions, AreNoOtherRequests) {
+TEST(Subscriptions, AreNotChangedByOtherRequests) {
   Subscriptions subscriptions;
-  subscriptions.notified(protocol::Request(protocol::Ping{}));
-  subscriptions.notified(RawRequest{"of.the.future", "{}"});
-  subscriptions.asked(Id::number(5), RawRequest{"effect.hold", R"({"direction":"up"})"});
-  subscriptions.answered(Id::number(5), true);
+  subscriptions.on_notification(protocol::Request(protocol::Ping{}));
+  subscriptions.on_notification(RawRequest{"of.the.future", "{}"});
+  subscriptions.on_request(Id::number(5), RawRequest{"effect.hold", R"({"direction":"up"})"});
+  subscriptions.on_response(Id::number(5), true);
   EXPECT_THAT(subscriptions.current(), IsEmpty());
 }
 

@@ -23,7 +23,7 @@ std::string written_for(const std::vector<std::string>& lines) {
 }
 
 /// The cursor stays in the last column after such a line, and erasing would begin there.
-TEST(Terminal, ALineOfTheWholeWidthKeepsItsLastCharacter) {
+TEST(Terminal, ALineOfFullWidthKeepsItsLastCharacter) {
   const std::string out = written_for({std::string(80, '7')});
   EXPECT_THAT(out, HasSubstr("\033[1;1H\033[K" + std::string(80, '7')));
   EXPECT_THAT(out, Not(HasSubstr("7\033[K")));

@@ -35,16 +35,14 @@ TEST_F(Tilt, RightIsPositiveXAndForwardIsNegativeY) {
   EXPECT_EQ(axes_.position(tilted_forward(-40)), (StickPosition{0, kStickEnd}));
 }
 
-TEST_F(Tilt, BelowTheDeadZoneIsTheCentreAndItBeginsWithoutAJump) {
+TEST_F(Tilt, IsZeroInTheDeadZoneAndContinuousAtItsEdge) {
   EXPECT_EQ(axes_.position(tilted_right(2.9)), StickPosition{});
   const auto position = axes_.position(tilted_right(3.1));
   EXPECT_GT(position.x, 0);
   EXPECT_LT(position.x, kStickEnd / 100);
 }
 
-TEST_F(Tilt, BeyondItsEndItStaysThere) {
-  EXPECT_EQ(axes_.position(tilted_right(120)).x, kStickEnd);
-}
+TEST_F(Tilt, SaturatesAtItsEnd) { EXPECT_EQ(axes_.position(tilted_right(120)).x, kStickEnd); }
 
 TEST_F(Tilt, TheCurveIsFineNearTheCentre) {
   TiltAxes even({.full_deg = 40, .dead_zone_deg = 0, .curve = 1});
@@ -55,7 +53,7 @@ TEST_F(Tilt, TheCurveIsFineNearTheCentre) {
   EXPECT_NEAR(fine.position(tilted_right(20)).x, kStickEnd / 4, 1);
 }
 
-TEST_F(Tilt, HowItIsHeldFirstAndAfterRecentreIsTheCentre) {
+TEST_F(Tilt, TheFirstPoseAndThatOfRecentreAreTheCentre) {
   TiltAxes axes({});
   EXPECT_EQ(axes.position(tilted_right(30)), StickPosition{});
   EXPECT_EQ(axes.position(tilted_right(70)).x, kStickEnd);

@@ -28,14 +28,14 @@ std::vector<std::string> failures(const protocol::Status& last, bool starts_warm
   return record.failures(last, kBeganNs, starts_warm);
 }
 
-TEST(TourRecord, OnlyTheWarmBallOfItsOwnHasToBeDerated) {
+TEST(TourRecord, OnlyItsOwnWarmBallHasToBeDerated) {
   EXPECT_THAT(failures(at_the_end(15.0, {}), false), IsEmpty());
   EXPECT_THAT(failures(at_the_end(8.7, {}), true), IsEmpty());
   EXPECT_THAT(failures(at_the_end(15.0, {}), true),
               ElementsAre("the long push was never derated: 15.0 A at least"));
 }
 
-TEST(TourRecord, ATripBeforeTheTourIsNoneOfIt) {
+TEST(TourRecord, ATripBeforeTheTourDoesNotCount) {
   EXPECT_THAT(failures(at_the_end(15.0, kBeganNs - 1), false), IsEmpty());
   EXPECT_THAT(failures(at_the_end(15.0, kBeganNs), false), ElementsAre("tripped: sensor_open"));
 }
@@ -46,7 +46,7 @@ TEST(TourRecord, CurrentAfterTheEndIsAFailure) {
   EXPECT_THAT(failures(last, false), ElementsAre("0.50 A flow after the end"));
 }
 
-TEST(TourRecord, TheCurrentOfAPushIsFreeOfTheNoiseOfOneMeasurement) {
+TEST(TourRecord, TheCurrentOfAPushIsNotThatOfOneNoisySample) {
   TourRecord record;
   EXPECT_EQ(record.take_current_a(), std::nullopt);
   for (const double current_a : {0.1, 4.0, 9.9, 10.2, 9.9, 10.0, 3.0}) {

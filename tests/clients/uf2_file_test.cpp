@@ -28,7 +28,7 @@ std::string refused(Uf2Word word, std::uint32_t value) {
   return refused(Uf2Sample::pages(3).put(1, word, value));
 }
 
-TEST(Uf2File, TakesPagesOfTheFlash) {
+TEST(Uf2File, AcceptsPagesOfTheFlash) {
   EXPECT_EQ(read_uf2(Uf2Sample::pages(1).file()).value(), (Uf2Image{1, 0x10000100}));
   const Uf2Image image = read_uf2(Uf2Sample::pages(73).file()).value();
   EXPECT_EQ(image, (Uf2Image{73, 0x10004900}));
@@ -37,12 +37,12 @@ TEST(Uf2File, TakesPagesOfTheFlash) {
   EXPECT_EQ(read_uf2(Uf2Sample({0x10000000, 0x101FFF00}).file()).value().end, 0x10200000u);
 }
 
-TEST(Uf2File, TakesFlagsThatChangeNothing) {
+TEST(Uf2File, AcceptsFlagsWithoutEffect) {
   // A check sum and tags may follow the payload.
   EXPECT_TRUE(read_uf2(Uf2Sample::pages(2).put(1, Uf2Word::kFlags, 0x0000E000).file()));
 }
 
-TEST(Uf2File, SaysWhatIsWrongWithAFile) {
+TEST(Uf2File, NamesTheProblemOfAFile) {
   EXPECT_EQ(refused(std::span<const std::uint8_t>()), "is empty");
   EXPECT_EQ(refused(std::vector<std::uint8_t>(1000)),
             "has 1000 bytes; a UF2 file has blocks of 512");
@@ -54,7 +54,7 @@ TEST(Uf2File, SaysWhatIsWrongWithAFile) {
             "has nothing for 0x10000000, where the chip starts");
 }
 
-TEST(Uf2File, SaysWhatIsWrongWithABlock) {
+TEST(Uf2File, NamesTheProblemOfABlock) {
   for (const Uf2Word word : {Uf2Word::kMagicFirst, Uf2Word::kMagicSecond, Uf2Word::kMagicLast})
     EXPECT_EQ(refused(word, 7), "block 1 is none of a UF2 file: its magic numbers are wrong");
   EXPECT_EQ(refused(Uf2Word::kFlags, 0), "block 1 does not name the chip that it is for");
@@ -76,7 +76,7 @@ TEST(Uf2File, SaysWhatIsWrongWithABlock) {
             "block 1 is for 0x10000000, as an earlier one is");
 }
 
-RC_GTEST_PROP(Uf2Laws, AnyPagesInAnyOrderAreTakenWithTheFirstAmongThem, ()) {
+RC_GTEST_PROP(Uf2Laws, AnyPagesInAnyOrderAreAcceptedWithTheFirstAmongThem, ()) {
   auto pages = *rc::gen::unique<std::vector<std::uint32_t>>(rc::gen::inRange(1u, 8192u));
   pages.insert(pages.begin() + *rc::gen::inRange<std::ptrdiff_t>(0, std::ssize(pages) + 1), 0u);
   std::vector<std::uint32_t> addresses;
@@ -87,7 +87,7 @@ RC_GTEST_PROP(Uf2Laws, AnyPagesInAnyOrderAreTakenWithTheFirstAmongThem, ()) {
   RC_ASSERT(image->end == *std::max_element(addresses.begin(), addresses.end()) + 256);
 }
 
-RC_GTEST_PROP(Uf2Laws, AnotherValueInABlocksHeadIsRefused, ()) {
+RC_GTEST_PROP(Uf2Laws, AWrongValueInABlocksHeaderIsRefused, ()) {
   const auto count = *rc::gen::inRange(1u, 20u);
   const auto block = *rc::gen::inRange(0u, count);
   const auto word =
@@ -99,13 +99,13 @@ RC_GTEST_PROP(Uf2Laws, AnotherValueInABlocksHeadIsRefused, ()) {
   RC_ASSERT(read_uf2(other.file()).has_value() == (other.file() == sample.file()));
 }
 
-RC_GTEST_PROP(Uf2Laws, APartOfAFileIsRefused, ()) {
+RC_GTEST_PROP(Uf2Laws, AnIncompleteFileIsRefused, ()) {
   const auto sample = Uf2Sample::pages(*rc::gen::inRange(1u, 20u));
   const auto size = *rc::gen::inRange<std::size_t>(0, sample.file().size());
   RC_ASSERT(!read_uf2(std::span(sample.file()).first(size)).has_value());
 }
 
-RC_GTEST_PROP(Uf2Laws, ThePayloadIsAnything, ()) {
+RC_GTEST_PROP(Uf2Laws, ThePayloadIsArbitrary, ()) {
   const auto bytes =
       *rc::gen::container<std::vector<std::uint8_t>>(256, rc::gen::arbitrary<std::uint8_t>());
   std::vector<std::uint8_t> file = Uf2Sample::pages(2).file();

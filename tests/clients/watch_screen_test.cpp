@@ -62,7 +62,7 @@ TEST(WatchEvents, OverrunsOfTwoMinutesAreOneLine) {
   EXPECT_EQ(lines.back(), "  14:00:01  state_changed  disarmed: emergency_stop");
 }
 
-TEST(WatchEvents, OfLossesAndRestorationsOfTheOrientationEachIsOneLine) {
+TEST(WatchEvents, OrientationLossesAndRestorationsAreOneLineEach) {
   WatchScreen screen({});
   take(screen, changed_at(1, "tripped", "overheated"));
   for (std::int64_t second = 2; second < 60; second += 2) {
@@ -94,7 +94,7 @@ TEST(WatchEvents, ASeriesLastsAnHourAtMost) {
 }
 
 /// Independent of other events, before or after.
-TEST(WatchEvents, ATripAStopAndADeratingAreNotPushedOutByEffects) {
+TEST(WatchEvents, ATripAStopAndADeratingAreNotDisplacedByEffects) {
   for (const char* state : {"tripped", "disarmed", "absent"}) {
     WatchScreen screen({});
     take(screen, changed_at(1, state, "a_reason"));
@@ -111,7 +111,7 @@ TEST(WatchEvents, ATripAStopAndADeratingAreNotPushedOutByEffects) {
   }
 }
 
-TEST(WatchEvents, DeratingDoesNotPushOutATripNorTheOtherWayRound) {
+TEST(WatchEvents, DeratingAndATripDoNotDisplaceEachOther) {
   WatchScreen screen({});
   take(screen, changed_at(1, "tripped", "overheated"));
   for (std::int64_t second = 2; second < 30; ++second)
@@ -132,7 +132,7 @@ TEST(WatchEvents, AreThreeAndNewestFirstWhenNoneIsReserved) {
   EXPECT_EQ(lines.end()[-1], "  14:00:06  device_attached");
 }
 
-TEST(WatchScreen, LeadsWithTheHottestWinding) {
+TEST(WatchScreen, ShowsTheHottestWindingFirst) {
   WatchScreen screen({});
   screen.take(hot_ball().status);
   const auto lines = screen.lines(hot_ball());
@@ -143,7 +143,7 @@ TEST(WatchScreen, LeadsWithTheHottestWinding) {
                                                       EndsWith("66 to 66 °C"))));
 }
 
-TEST(WatchEvents, AreAsManyAsTheTerminalHasRowsFor) {
+TEST(WatchEvents, FillTheRowsOfTheTerminal) {
   for (const std::size_t rows : {22U, 24U, 40U}) {
     WatchScreen screen({});
     screen.set_size({80, rows});
@@ -153,7 +153,7 @@ TEST(WatchEvents, AreAsManyAsTheTerminalHasRowsFor) {
   }
 }
 
-TEST(WatchScreen, TheGaugesTakeTheWidthThatTheTerminalHas) {
+TEST(WatchScreen, TheGaugesFillTheWidthOfTheTerminal) {
   const auto gauge = [](std::size_t columns, const std::string& name) {
     WatchScreen screen({.ascii = true});
     screen.set_size({columns, 22});
@@ -174,7 +174,7 @@ TEST(WatchScreen, TheGaugesTakeTheWidthThatTheTerminalHas) {
   }
 }
 
-TEST(WatchScreen, WhatIsBehindTheGaugesIsInOneColumn) {
+TEST(WatchScreen, ValuesBesideTheGaugesAreInOneColumn) {
   WatchScreen screen({});
   screen.set_size({130, 22});
   Ball ball = hot_ball();

@@ -29,7 +29,7 @@ FakeFiles with_files(const std::string& address) {
   return fake;
 }
 
-TEST(ConfigAccess, AddressesThatOthersCouldReachAreRefusedWithoutTheFiles) {
+TEST(ConfigAccess, RemotelyReachableAddressesAreRefusedWithoutTheFiles) {
   for (const std::string address : {"0.0.0.0:7586", "192.168.1.5:7586", "[::]:7586", "128.0.0.1:1",
                                     "tls://127.0.0.1:7586", "tls://0.0.0.0:7586"}) {
     const std::string shown = address.starts_with("tls://") ? address : "tls://" + address;
@@ -53,26 +53,26 @@ TEST(ConfigAccess, EachOfTheFilesIsNeeded) {
   }
 }
 
-TEST(ConfigAccess, AKeyOfAnotherCertificateIsAMistake) {
+TEST(ConfigAccess, AKeyOfAnotherCertificateIsAnError) {
   FakeFiles fake = with_files("0.0.0.0:7586");
   fake.files[kKey] = access::new_certificate("ball-host", 1).key_pem;
   EXPECT_EQ(fake.errors(),
             kCertificate + ": the key is that of another certificate (" + kKey + ")\n");
 }
 
-TEST(ConfigAccess, ABrokenTokenFileIsAMistakeWhoeverListens) {
+TEST(ConfigAccess, AnInvalidTokenFileIsAnErrorForEveryListener) {
   FakeFiles fake = with_files("127.0.0.1:7586");
   fake.files[kTokens] += "arcade\n";
   EXPECT_THAT(fake.errors(), testing::StartsWith(kTokens + ":3: must be NAME ROLE"));
 }
 
-TEST(ConfigAccess, AFileWithoutTokensKeepsEverybodyOutAndIsNoMistake) {
+TEST(ConfigAccess, AFileWithoutTokensIsValidAndRefusesEveryClient) {
   FakeFiles fake = with_files("0.0.0.0:7586");
   fake.files[kTokens] = "# all revoked\n";
   EXPECT_EQ(fake.errors(), "");
 }
 
-TEST(ConfigAccess, ThePlacesOfTheFilesMayBeChosen) {
+TEST(ConfigAccess, ThePathsOfTheFilesAreConfigurable) {
   FakeFiles fake = with_files("0.0.0.0:7586");
   for (const auto& [from, to] :
        {std::pair{kTokens, "/a/t"}, std::pair{kCertificate, "/a/c"}, std::pair{kKey, "/a/k"}}) {
@@ -85,7 +85,7 @@ TEST(ConfigAccess, ThePlacesOfTheFilesMayBeChosen) {
   ASSERT_EQ(fake.load()->access.tokens.size(), 1u);
 }
 
-TEST(ConfigAccess, WhatIsPrintedHasPlacesAndNoSecrets) {
+TEST(ConfigAccess, ThePrintedConfigurationHasPathsAndNoSecrets) {
   const FakeFiles fake = with_files("0.0.0.0:7586");
   const auto config = fake.load();
   ASSERT_TRUE(config);
@@ -100,7 +100,7 @@ FakeFiles with_unix(const std::string& lists) {
   return FakeFiles::with("{\"access\": {\"unix\": {\n" + lists + "}}}");
 }
 
-TEST(ConfigAccess, UsersOfTheUnixSocketOperateUnlessTheListsSayOtherwise) {
+TEST(ConfigAccess, UsersOfTheUnixSocketOperateUnlessListedOtherwise) {
   EXPECT_EQ(FakeFiles{}.load()->access.unix_roles, access::UnixRoles{});
   const FakeFiles fake = with_unix(R"("operate": ["@root"], "play": ["daemon"], "observe": ["*"])");
   ASSERT_EQ(fake.errors(), "");
@@ -112,7 +112,7 @@ TEST(ConfigAccess, UsersOfTheUnixSocketOperateUnlessTheListsSayOtherwise) {
   EXPECT_EQ(with_unix(R"("operate": [])").errors(), "") << "root and the daemon's own user only";
 }
 
-TEST(ConfigAccess, AUserOrGroupThatDoesNotExistIsAMistake) {
+TEST(ConfigAccess, AUserOrGroupThatDoesNotExistIsAnError) {
   EXPECT_EQ(
       with_unix(R"("operate": ["root", "no-such-user-here"])").errors(),
       kConfigFile + ":2: access.unix.operate: \"no-such-user-here\": there is no such user\n");
@@ -125,7 +125,7 @@ TEST(ConfigAccess, AUserOrGroupThatDoesNotExistIsAMistake) {
         << list;
 }
 
-TEST(ConfigAccess, AListBelowEverybodysIsAMistake) {
+TEST(ConfigAccess, AListBelowThatOfAllUsersIsAnError) {
   EXPECT_EQ(with_unix(R"("play": ["daemon"])").errors(),
             kConfigFile +
                 ":2: access.unix.play: changes nothing, because access.unix.operate has "

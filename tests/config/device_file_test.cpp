@@ -10,7 +10,7 @@
 namespace hedgehog::config {
 namespace {
 
-TEST(DeviceFile, EveryKeyArrives) {
+TEST(DeviceFile, EveryKeyIsLoaded) {
   const FakeFiles fake = FakeFiles::with_device(R"({
     "name": "ball-7", "model": "hedgehog-86b", "arrangement": "tkD-86", "front_pin": 1,
     "coil_matrix": [[0, 1, 0], [-1.02, 0, 0.01], [0, 0, 0.98]], "r25_ohm": [0.612, 0.598, 0.641],
@@ -102,7 +102,7 @@ TEST(DeviceFile, WrongValuesAreNamed) {
             kDeviceFile + ":1: resistance_ohm: unknown key\n");
 }
 
-TEST(DeviceFile, AGeometryThatCannotBeNamesTheKeyThatIsWrong) {
+TEST(DeviceFile, AnImpossibleGeometryNamesTheWrongKey) {
   EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 72}"),
             kDeviceFile + ":3: front_pin: there is no pin 72 to be the front\n");
   EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 0}"),
@@ -128,7 +128,7 @@ TEST(DeviceFile, AGeometryThatCannotBeNamesTheKeyThatIsWrong) {
 }
 
 // The check computes the whole array, up to seconds: it is not repeated for the geometry in use.
-TEST(DeviceFile, AGeometryThatRunsIsNotCheckedAgain) {
+TEST(DeviceFile, AGeometryInUseIsNotCheckedAgain) {
   const FakeFiles fake = FakeFiles::with_device("{\"sphere_mm\": 30}");
   ASSERT_THAT(fake.errors(), testing::HasSubstr("overlap by"));
   Config running;
@@ -142,19 +142,19 @@ TEST(DeviceFile, OfTheSimulatedBallHasThePinsOfTheDevice) {
   FakeFiles fake = FakeFiles::with(
       R"({"backend": "simulator", "device": "mine", "simulator": {"device": "true"}})");
   fake.files[kDeviceFile] = "{}";
-  std::string& truth = fake.files["/etc/hedgehog/devices.d/true.json"];
-  truth = R"({"shield_magnet_mm": [3.9, 10], "removed_shields": [0]})";
+  std::string& true_device = fake.files["/etc/hedgehog/devices.d/true.json"];
+  true_device = R"({"shield_magnet_mm": [3.9, 10], "removed_shields": [0]})";
   EXPECT_EQ(fake.errors(), "");
   for (const char* other :
        {R"({"arrangement": "tkD-86-5"})", R"({"removed_pins": [3]})", R"({"front_pin": 2})"}) {
-    truth = other;
+    true_device = other;
     EXPECT_THAT(fake.errors(), testing::HasSubstr("simulator.device: the simulated ball must have "
                                                   "the pins of device"))
         << other;
   }
 }
 
-TEST(DeviceFile, HeatThatNoEstimateCouldFollowIsRefused) {
+TEST(DeviceFile, HeatThatTheEstimateCannotFollowIsRefused) {
   EXPECT_EQ(wrong_device("{\"thermal\": {\n\"winding_j_k\": 2, \"winding_to_core_k_w\": 0.4}}"),
             kDeviceFile + ":2: thermal.winding_j_k: times winding_to_core_k_w must be at least 1 " +
                 "s, not 0.8: no estimate of heat could follow it\n");
@@ -169,12 +169,12 @@ TEST(DeviceFile, HeatThatNoEstimateCouldFollowIsRefused) {
             "");
 }
 
-TEST(DeviceFile, WithoutUncertaintiesTheBallIsKnownToAFifth) {
+TEST(DeviceFile, WithoutUncertaintiesTwentyPercentAreAssumed) {
   EXPECT_EQ(FakeFiles::with_device("{}").load()->device.uncertainty,
             (model::ThermalUncertainty{0.2, 0.03, 0.5}));
 }
 
-TEST(DeviceFile, AnUncertaintyThatIsTooSmallToBeTrueIsRefused) {
+TEST(DeviceFile, AnImplausiblySmallUncertaintyIsRefused) {
   EXPECT_EQ(wrong_device("{\"uncertainty\": {\"thermal\": 0.01}}"),
             kDeviceFile + ":1: uncertainty.thermal: must be 0.05 to 0.5, not 0.01\n");
   EXPECT_EQ(wrong_device("{\"uncertainty\": {\"resistance\": 0.009}}"),
@@ -222,7 +222,7 @@ RC_GTEST_PROP(DeviceFile, AMatrixLoadsExactlyWhenItCanBeInverted, ()) {
   RC_ASSERT(model::norm(back - field) < 1e-6);
 }
 
-TEST(DeviceFile, TheSimulatedBallIsTheDaemonsUnlessAnotherFileSaysOtherwise) {
+TEST(DeviceFile, TheSimulatedBallIsTheDaemonsUnlessAnotherFileIsConfigured) {
   FakeFiles fake = FakeFiles::with_device(R"({"r25_ohm": [0.41, 0.42, 0.43]})");
   EXPECT_EQ(fake.load()->simulated_ball().coils.r25_ohm[2], 0.43);
 
@@ -230,21 +230,21 @@ TEST(DeviceFile, TheSimulatedBallIsTheDaemonsUnlessAnotherFileSaysOtherwise) {
   EXPECT_EQ(fake.errors(),
             "/etc/hedgehog/hedgehogd.json:1: simulator.device: there is no "
             "/etc/hedgehog/devices.d/truth.json or /usr/share/hedgehog/devices.d/truth.json\n");
-  std::string& truth = fake.files["/etc/hedgehog/devices.d/truth.json"];
-  truth = R"({"r25_ohm": 1})";
+  std::string& true_device = fake.files["/etc/hedgehog/devices.d/truth.json"];
+  true_device = R"({"r25_ohm": 1})";
   EXPECT_EQ(fake.errors().find("/etc/hedgehog/devices.d/truth.json:1: r25_ohm: "), 0u);
-  truth = R"({"r25_ohm": [0.5, 0.4, 0.6]})";
+  true_device = R"({"r25_ohm": [0.5, 0.4, 0.6]})";
   const Config before = *fake.load();
   EXPECT_EQ(before.simulated_ball().coils.r25_ohm[0], 0.5);
   EXPECT_EQ(before.device.coils.r25_ohm[0], 0.45) << "what is believed is another matter";
-  truth = "{}";
+  true_device = "{}";
   EXPECT_EQ(different_keys(before, *fake.load()), std::vector<std::string>{"simulator.device"});
 
   fake = FakeFiles::with(R"({"backend": "usb", "simulator": {"device": "gone"}})");
   EXPECT_EQ(fake.errors(), "") << "what was rehearsed does not stop a daemon of a real ball";
 }
 
-TEST(DeviceFile, ItsContentIsADifferenceToo) {
+TEST(DeviceFile, AChangeOfItsContentIsADifferenceToo) {
   const Config before = *FakeFiles::with_device(R"({"r25_ohm": [0.41, 0.42, 0.43]})").load();
   const Config after = *FakeFiles::with_device(R"({"r25_ohm": [0.41, 0.42, 0.44]})").load();
   EXPECT_EQ(different_keys(before, after), std::vector<std::string>{"device"});

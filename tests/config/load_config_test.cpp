@@ -47,7 +47,7 @@ std::set<std::string> paths_of(const std::vector<Key<Target>>& keys) {
   return paths;
 }
 
-TEST(LoadConfig, WithoutFilesItRunsOnTheSimulatorAndKnowsThatNobodySaidSo) {
+TEST(LoadConfig, WithoutFilesTheBackendIsTheSimulatorByDefault) {
   const auto config = FakeFiles{}.load();
   ASSERT_TRUE(config.has_value());
   EXPECT_EQ(config->backend, Backend::kSimulator);
@@ -78,7 +78,7 @@ TEST(LoadConfig, TheShippedFilesDocumentEveryKeyAndChangeNothing) {
 }
 
 // Every key of the documented file, each with a value other than its default.
-constexpr const char* kEverythingElse = R"({
+constexpr const char* kOtherKeys = R"({
   "backend": "simulator", "device": "mine", "arm_at_start": "never",
   "limits": {"current_a": 12, "continuous_a": 4.5, "felt_a": 2, "derate_from_c": 50,
              "sustain_c": 60, "zero_c": 62, "trip_c": 65, "rearm_c": 40},
@@ -96,17 +96,17 @@ constexpr const char* kEverythingElse = R"({
                 "device": "truth", "front_end": "driver_cs", "thermistors": 3}
 })";
 
-FakeFiles everything_else() {
-  FakeFiles fake = FakeFiles::with(kEverythingElse);
+FakeFiles other_keys() {
+  FakeFiles fake = FakeFiles::with(kOtherKeys);
   fake.files["/etc/hedgehog/devices.d/mine.json"] = R"({"name": "ball-7"})";
   fake.files["/usr/share/hedgehog/devices.d/truth.json"] = R"({"r25_ohm": [0.5, 0.4, 0.6]})";
   return fake;
 }
 
-TEST(LoadConfig, EveryKeyArrives) {
-  ASSERT_EQ(paths_in(kEverythingElse), paths_of(config_keys()));
-  ASSERT_EQ(everything_else().errors(), "");
-  const Config c = *everything_else().load();
+TEST(LoadConfig, EveryKeyIsLoaded) {
+  ASSERT_EQ(paths_in(kOtherKeys), paths_of(config_keys()));
+  ASSERT_EQ(other_keys().errors(), "");
+  const Config c = *other_keys().load();
   EXPECT_TRUE(c.configured);
   EXPECT_EQ(c.device_file, "mine");
   EXPECT_EQ(c.device.name, "ball-7");
@@ -129,21 +129,21 @@ TEST(LoadConfig, EveryKeyArrives) {
   EXPECT_EQ(c.log_level, LogLevel::kDebug);
   EXPECT_EQ(c.state_directory, "/srv/state");
   EXPECT_EQ(c.runtime_directory, "/srv/run");
-  model::DeviceModel truth;
-  truth.coils.r25_ohm = {0.5, 0.4, 0.6};
+  model::DeviceModel true_device;
+  true_device.coils.r25_ohm = {0.5, 0.4, 0.6};
   EXPECT_EQ(c.simulator, (SimulatorSettings{18, 53, true, device::FrontEndKind::kDriverCs, 3,
-                                            4294967295u, "truth", truth}));
+                                            4294967295u, "truth", true_device}));
 }
 
-TEST(LoadConfig, WhatIsPrintedLoadsBackToTheSame) {
-  FakeFiles fake = everything_else();
+TEST(LoadConfig, ThePrintedConfigurationLoadsBackUnchanged) {
+  FakeFiles fake = other_keys();
   const std::string printed = print_config(*fake.load());
   EXPECT_EQ(paths_in(printed), paths_of(config_keys()));
   fake.files["/etc/hedgehog/hedgehogd.json"] = printed;
   ASSERT_EQ(fake.errors(), "");
   EXPECT_EQ(print_config(*fake.load()), printed);
   EXPECT_EQ(fake.load()->listen.unix_socket, "/tmp/ball.sock");
-  EXPECT_EQ(fake.load()->limits, everything_else().load()->limits);
+  EXPECT_EQ(fake.load()->limits, other_keys().load()->limits);
 }
 
 TEST(LoadConfig, LaterLayersWinKeyByKey) {
@@ -189,14 +189,14 @@ TEST(LoadConfig, WrongOptionsNameTheOption) {
             "--log-level: must be \"debug\", \"info\", \"warning\" or \"error\", not \"loud\"\n");
 }
 
-TEST(LoadConfig, AFileAskedForMustExist) {
+TEST(LoadConfig, AFileGivenByOptionMustExist) {
   FakeFiles fake;
   fake.paths.config_file = "/nowhere.json";
   fake.paths.config_file_required = true;
   EXPECT_EQ(fake.errors(), "/nowhere.json: No such file or directory\n");
 }
 
-TEST(LoadConfig, DeviceFilesAreLookedForBesideTheConfigurationFirst) {
+TEST(LoadConfig, DeviceFilesAreSearchedBesideTheConfigurationFirst) {
   FakeFiles fake = FakeFiles::with(R"({"device": "mine"})");
   EXPECT_EQ(fake.errors(),
             "/etc/hedgehog/hedgehogd.json:1: device: there is no "
@@ -210,7 +210,7 @@ TEST(LoadConfig, DeviceFilesAreLookedForBesideTheConfigurationFirst) {
   EXPECT_EQ(fake.load()->device.name, "elsewhere");
 }
 
-TEST(LoadConfig, ReadFileTellsMissingFromBroken) {
+TEST(LoadConfig, ReadFileDistinguishesMissingFromUnreadable) {
   EXPECT_TRUE(read_file("/nowhere/at/all").missing);
   EXPECT_FALSE(read_file("/").missing);
   EXPECT_EQ(read_file("/").problem, "is a folder, not a regular file");
@@ -236,7 +236,7 @@ rc::Gen<std::string> any_json(int depth) {
       }));
 }
 
-RC_GTEST_PROP(LoadConfig, NoTextCrashesItAndEveryErrorNamesItsFile, ()) {
+RC_GTEST_PROP(LoadConfig, ArbitraryTextIsHandledAndEveryErrorNamesItsFile, ()) {
   const std::string text = *rc::gen::oneOf(any_json(3), rc::gen::arbitrary<std::string>());
   for (const FakeFiles& fake : {FakeFiles::with(text), FakeFiles::with_device(text)}) {
     const auto loaded = fake.load();

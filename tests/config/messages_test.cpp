@@ -84,7 +84,7 @@ TEST(Messages, LimitsOnlyTighten) {
   EXPECT_EQ(fake.load()->device.limits.current_a, 10);
 }
 
-TEST(Messages, LessCurrentIsLessForEverToo) {
+TEST(Messages, ALowerMaximumLowersTheContinuousCurrentToo) {
   const auto config = FakeFiles::with(R"({"limits": {"current_a": 2}})").load();
   ASSERT_TRUE(config.has_value());
   EXPECT_EQ(config->limits.continuous_a, 2);
@@ -108,7 +108,7 @@ TEST(Messages, OneAddressHasOneListener) {
             "");
 }
 
-TEST(Messages, AddressesHaveAShape) {
+TEST(Messages, AddressesHaveAFormat) {
   const std::string shape = "must be an address and a port, such as 127.0.0.1:7586 or [::1]:7586\n";
   for (const std::string address :
        {"7586", "localhost:7586", "127.0.0.1", "127.0.0.1:", "::1:7586", "[::1]", "127.0.0.1:7 "}) {
@@ -119,7 +119,7 @@ TEST(Messages, AddressesHaveAShape) {
             kFile + ":1: listen.tcp: \"[::1]:70000\": the port must be 0 to 65535\n");
 }
 
-TEST(Messages, SomebodyMustBeAbleToConnect) {
+TEST(Messages, AListenerIsRequired) {
   EXPECT_EQ(wrong("{\"listen\": {\"tcp\": [], \"unix\": null}}"),
             kFile + ":1: listen.tcp: nobody could reach the daemon: listen.unix is null too\n");
   EXPECT_EQ(wrong("{\"listen\": {\"tcp\": []}}"), "");
@@ -130,7 +130,7 @@ TEST(Messages, ASimulatedImuOnARealBallIsRefused) {
             kFile + ":2: imu.type: \"simulator\" goes with backend \"simulator\" only\n");
 }
 
-TEST(Messages, OriginsAreBare) {
+TEST(Messages, OriginsHaveNoPath) {
   for (const std::string origin : {"*", "game.example", "https://", "https://a/b", "https://*.a"}) {
     EXPECT_EQ(wrong("{\"http\": {\"allow_origins\": [\"" + origin + "\"]}}"),
               kFile + ":1: http.allow_origins: must be a list of origins such as " +

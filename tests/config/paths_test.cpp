@@ -32,7 +32,7 @@ TEST(Paths, UnderSystemd) {
   EXPECT_FALSE(paths.config_file_required);
 }
 
-TEST(Paths, ByHandAsXdgSays) {
+TEST(Paths, WithoutSystemdAsXdgSpecifies) {
   const Paths paths = find_paths(variables({{"HOME", "/people/ada"},
                                             {"XDG_RUNTIME_DIR", "/run/user/1000"},
                                             {"XDG_CONFIG_HOME", "relative/is/ignored"}}),
@@ -56,7 +56,7 @@ TEST(Paths, TheOptionReplacesTheFileAndMustExist) {
   EXPECT_EQ(paths.state_directory, "/h/.local/state/hedgehog");
 }
 
-TEST(Paths, WhatIsInstalledIsThatOfTheOwnPrefix) {
+TEST(Paths, InstalledFilesAreThoseOfTheOwnPrefix) {
   const TemporaryFolder prefix;
   const std::string share = prefix.path() + "/share/hedgehog";
   const auto none = variables({{"HOME", "/h"}});

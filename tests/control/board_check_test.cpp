@@ -11,10 +11,10 @@ namespace {
 
 // A board with the expected limits plus these offsets.
 device::BoardTelemetry board_with(double more_a, double more_k) {
-  const auto wanted = device::BoardLimits::of(model::Limits{});
+  const auto configured = device::BoardLimits::of(model::Limits{});
   device::BoardTelemetry board;
-  board.limit_current_a = wanted.current_a + more_a;
-  board.limit_sensor_c = wanted.sensor_c + more_k;
+  board.limit_current_a = configured.current_a + more_a;
+  board.limit_sensor_c = configured.sensor_c + more_k;
   return board;
 }
 
@@ -24,37 +24,37 @@ TEST(BoardCheck, ABoardThatAllowsAsMuchOrMoreLeavesTheLimits) {
 }
 
 TEST(BoardCheck, ABoardThatAllowsLessCurrentScalesTheLimits) {
-  const model::Limits wanted;
-  const double boards_a = device::BoardLimits::of(wanted).current_a;
-  model::Limits within = limits_within(wanted, board_with(-boards_a / 2, 0.0));
-  EXPECT_NEAR(within.current_a, wanted.current_a / 2, 1e-12);
-  EXPECT_EQ(within.continuous_a, wanted.continuous_a) << "less than half of the peak";
-  EXPECT_EQ(within.zero_c, wanted.zero_c);
-  within = limits_within(wanted, board_with(-boards_a * 0.9, 0.0));
-  EXPECT_NEAR(within.current_a, wanted.current_a / 10, 1e-12);
+  const model::Limits configured;
+  const double boards_a = device::BoardLimits::of(configured).current_a;
+  model::Limits within = limits_within(configured, board_with(-boards_a / 2, 0.0));
+  EXPECT_NEAR(within.current_a, configured.current_a / 2, 1e-12);
+  EXPECT_EQ(within.continuous_a, configured.continuous_a) << "less than half of the peak";
+  EXPECT_EQ(within.zero_c, configured.zero_c);
+  within = limits_within(configured, board_with(-boards_a * 0.9, 0.0));
+  EXPECT_NEAR(within.current_a, configured.current_a / 10, 1e-12);
   EXPECT_EQ(within.continuous_a, within.current_a);
   EXPECT_LE(within.felt_a, within.current_a);
-  model::Limits feels = wanted;
-  feels.felt_a = wanted.current_a;
-  EXPECT_NEAR(limits_within(feels, board_with(-boards_a / 2, 0.0)).felt_a, wanted.current_a / 2,
-              1e-12);
-  within = limits_within(wanted, board_with(-0.011, 0.0));
-  EXPECT_LT(within.current_a, wanted.current_a);
-  EXPECT_EQ(limits_within(wanted, board_with(-boards_a - 1.0, 0.0)).current_a, 0.0);
+  model::Limits with_felt_limit = configured;
+  with_felt_limit.felt_a = configured.current_a;
+  EXPECT_NEAR(limits_within(with_felt_limit, board_with(-boards_a / 2, 0.0)).felt_a,
+              configured.current_a / 2, 1e-12);
+  within = limits_within(configured, board_with(-0.011, 0.0));
+  EXPECT_LT(within.current_a, configured.current_a);
+  EXPECT_EQ(limits_within(configured, board_with(-boards_a - 1.0, 0.0)).current_a, 0.0);
 }
 
 TEST(BoardCheck, ABoardThatTripsCoolerShiftsTheTemperatures) {
-  const model::Limits wanted;
-  model::Limits shifted = wanted;
+  const model::Limits configured;
+  model::Limits shifted = configured;
   shifted.derate_from_c -= 5.0;
   shifted.sustain_c -= 5.0;
   shifted.zero_c -= 5.0;
   shifted.trip_c -= 5.0;
-  EXPECT_EQ(limits_within(wanted, board_with(0.0, -5.0)), shifted);
-  EXPECT_LT(limits_within(wanted, board_with(0.0, -0.011)).zero_c, wanted.zero_c);
+  EXPECT_EQ(limits_within(configured, board_with(0.0, -5.0)), shifted);
+  EXPECT_LT(limits_within(configured, board_with(0.0, -0.011)).zero_c, configured.zero_c);
 }
 
-TEST(BoardCheck, SilenceAddsUpTicksThatWereNeverRun) {
+TEST(BoardCheck, SilenceIncludesSkippedTicks) {
   BoardCheck check;
   check.step(true, true, {}, 1);
   EXPECT_EQ(check.age(), 0u);
@@ -87,7 +87,7 @@ TEST(BoardCheck, FiftyTicksWithoutBeingArmedIsARestart) {
   }
 }
 
-TEST(BoardCheck, ForgetsAFaultThatIsNotToldAnyMore) {
+TEST(BoardCheck, ClearsAFaultThatIsNoLongerReported) {
   BoardCheck check;
   device::BoardTelemetry board;
   board.faults = device::kFaultSupply;

@@ -64,7 +64,7 @@ double one_of(model::RandomStream& random, Choices... choices) {
   return all[random.bits() % all.size()];
 }
 
-inline bool chance(model::RandomStream& random, double share) {
+inline bool bernoulli(model::RandomStream& random, double share) {
   return random.uniform(0.0, 1.0) < share;
 }
 

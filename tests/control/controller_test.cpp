@@ -8,7 +8,7 @@
 namespace hedgehog::control {
 namespace {
 
-TEST(Arming, TheSimulatorIsArmedWithinMillisecondsOfItsFirstSight) {
+TEST(Arming, TheSimulatorIsArmedWithinMillisecondsOfItsDetection) {
   rig::Rig rig;
   rig.run(10);
   EXPECT_EQ(name(rig.controller().state()), "armed");
@@ -16,7 +16,7 @@ TEST(Arming, TheSimulatorIsArmedWithinMillisecondsOfItsFirstSight) {
   EXPECT_FALSE(rig.last_command().enable()) << "armed and asked nothing: the bridges sleep";
 }
 
-TEST(Arming, NeverArmsByItselfWhenToldSo) {
+TEST(Arming, NeverArmsByItselfIfConfiguredSo) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
   rig::Rig rig(options);
@@ -31,7 +31,7 @@ TEST(Arming, NeverArmsByItselfWhenToldSo) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(Arming, SaysWhyNotAndWaitsForASaneSensor) {
+TEST(Arming, ReportsItsBlockerAndWaitsForAPlausibleSensor) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
   rig::Rig rig(options);
@@ -124,7 +124,7 @@ TEST(Commands, AppliedSequenceGainAndLimits) {
   EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
 }
 
-TEST(Derating, IsToldWhenItBeginsAndWhenItEnds) {
+TEST(Derating, IsReportedWhenItBeginsAndWhenItEnds) {
   rig::RigOptions options;
   options.board.start_c = 58.0;
   rig::Rig rig(options);
@@ -143,7 +143,7 @@ TEST(Derating, IsToldWhenItBeginsAndWhenItEnds) {
   EXPECT_LT(end->delivery.min, 0.99);
 }
 
-TEST(Derating, AStrengthBeyondTheConfiguredLimitIsNone) {
+TEST(Derating, AStrengthBeyondTheConfiguredLimitIsNoDerating) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 15.0));
@@ -201,7 +201,7 @@ TEST(Heading, RecentreTurnsWorldEffects) {
 }
 
 // A driver's own sensor measures no current while its bridge brakes.
-TEST(FanByCurrent, CountsWhatIsExpectedWhereNothingIsMeasured) {
+TEST(FanByCurrent, UsesTheExpectedCurrentWhereNoneIsMeasured) {
   ControlSettings settings = rig::RigOptions::armed_at_start();
   Controller controller(settings);
   StepInputs inputs;

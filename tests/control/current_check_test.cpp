@@ -45,12 +45,12 @@ struct Bench {
   }
 };
 
-TEST(CurrentCheck, AWindingThatIsAskedForLittleMayCarryThatAndHalfAnAmpere) {
+TEST(CurrentCheck, AWeaklyDrivenWindingMayCarryItsCurrentAndHalfAnAmpere) {
   Reason reason{};
-  Bench little;
-  little.settle(0.2);
-  EXPECT_EQ(little.trips_after(0.69, reason), 0);
-  EXPECT_EQ(little.trips_after(0.71, reason), 15);
+  Bench weak;
+  weak.settle(0.2);
+  EXPECT_EQ(weak.trips_after(0.69, reason), 0);
+  EXPECT_EQ(weak.trips_after(0.71, reason), 15);
   EXPECT_EQ(reason, Reason::kUnexpectedCurrent);
   Bench more;
   more.settle(0.3);
@@ -73,7 +73,7 @@ TEST(CurrentCheck, ADrivenWindingMayDifferByAnAmpereAndAFifth) {
   }
 }
 
-TEST(CurrentCheck, WhatFlowsOnAfterADriveIsUnexpectedOnceTheEdgeIsOver) {
+TEST(CurrentCheck, ACurrentThatContinuesAfterADriveIsUnexpectedAfterTheEdge) {
   Bench bench;
   bench.settle(5.0);
   bench.command(0.0);
@@ -129,7 +129,7 @@ TEST(CurrentCheck, InAGapTheLastSetPointIsHeldForNineteenTicks) {
   EXPECT_NEAR(bench.check.commanded_a().x, 0.0, 1e-6);
 }
 
-TEST(CurrentCheck, IsSuspiciousFromTheFirstMillisecondUntilItIsOver) {
+TEST(CurrentCheck, IsPendingFromTheFirstMillisecondToTheLast) {
   Bench bench;
   bench.settle(0.0);
   EXPECT_FALSE(bench.check.pending());
@@ -139,7 +139,7 @@ TEST(CurrentCheck, IsSuspiciousFromTheFirstMillisecondUntilItIsOver) {
   EXPECT_FALSE(bench.check.pending());
 }
 
-TEST(CurrentCheck, AWindingThatIsNotMeasuredIsNeitherWrongNorRight) {
+TEST(CurrentCheck, AnUnmeasuredWindingIsNotChecked) {
   Bench bench;
   bench.settle(0.0);
   bench.reading.measured = {false, true, true};

@@ -31,27 +31,27 @@ TEST(ElectricalReference, Current) {
     Outcomes out;
     model::Vec3 true_a;
     double gain = 1.0;
-    int odd_coil = 0;
+    int faulty_coil = 0;
     for (int tick = 0; tick < kReferenceTicks; ++tick) {
       if (tick % 40 == 0) {
         for (int coil = 0; coil < model::kCoils; ++coil)
           reading.commanded_v[coil] = one_of(random, 0.0, 0.0, 2.0, -4.0, 6.0, 0.1);
         reading.held_v = 0.9 * reading.commanded_v;
-        odd_coil = static_cast<int>(random.bits() % 3);
+        faulty_coil = static_cast<int>(random.bits() % 3);
         gain = row % 2 == 0 ? 1.0 : one_of(random, 1.0, 1.0, 1.3, 0.6, 0.75);
         if (row % 3 == 2)
-          reading.measured[static_cast<std::size_t>(odd_coil)] = chance(random, 0.5);
+          reading.measured[static_cast<std::size_t>(faulty_coil)] = bernoulli(random, 0.5);
       }
-      reading.skipped = row % 4 == 3 && chance(random, 0.02) ? random.bits() % 130 : 0;
+      reading.skipped = row % 4 == 3 && bernoulli(random, 0.02) ? random.bits() % 130 : 0;
       reading.applied_v = reading.commanded_v;
-      if (row % 6 == 5) reading.applied_v[odd_coil] = 0.5 * reading.commanded_v[odd_coil];
+      if (row % 6 == 5) reading.applied_v[faulty_coil] = 0.5 * reading.commanded_v[faulty_coil];
       for (int coil = 0; coil < model::kCoils; ++coil)
         true_a[coil] += (reading.applied_v[coil] / 0.475 - true_a[coil]) * 0.27;
       reading.current_a = true_a;
-      reading.current_a[odd_coil] *= gain;
-      if (row % 8 == 1) reading.current_a[odd_coil] += one_of(random, 0.0, 0.45, 0.55, 1.2);
-      reading.fresh = row % 5 != 4 || chance(random, 0.7);
-      reading.follows = reading.fresh && (row % 5 != 4 || chance(random, 0.8));
+      reading.current_a[faulty_coil] *= gain;
+      if (row % 8 == 1) reading.current_a[faulty_coil] += one_of(random, 0.0, 0.45, 0.55, 1.2);
+      reading.fresh = row % 5 != 4 || bernoulli(random, 0.7);
+      reading.follows = reading.fresh && (row % 5 != 4 || bernoulli(random, 0.8));
       reading.since_s = reading.fresh ? kReferenceDtS : 2.0 * kReferenceDtS;
       out.add(check.step(reading));
       out.add("pending", check.pending() ? 1.0 : 0.0);
@@ -84,9 +84,9 @@ TEST(ElectricalReference, Heat) {
           target_a[coil] = one_of(random, 0.0, 1.4, 1.6, 5.0, -8.0, 12.0);
         slope_k = one_of(random, 0.0, 0.05, 0.12, -0.05, -0.2);
         for (std::size_t i = 0; i < 3; ++i) {
-          reading.thermistors.valid[i] = row % 4 != 1 || chance(random, 0.6);
+          reading.thermistors.valid[i] = row % 4 != 1 || bernoulli(random, 0.6);
           reading.thermistors.celsius[i] = random.uniform(24.0, row % 6 == 5 ? 72.0 : 50.0);
-          reading.measured[i] = row % 5 != 3 || chance(random, 0.8);
+          reading.measured[i] = row % 5 != 3 || bernoulli(random, 0.8);
         }
       }
       shown_c = std::clamp(shown_c + slope_k, -15.0, 85.0);
@@ -101,8 +101,8 @@ TEST(ElectricalReference, Heat) {
                                   1.4e-3 * (current_a[coil] - before_a) / kReferenceDtS;
         reading.after_a[coil] = current_a[coil] + 0.02 * random.gaussian();
       }
-      reading.electrical = row % 7 != 6 || chance(random, 0.7);
-      reading.fresh = row % 7 != 6 || chance(random, 0.9);
+      reading.electrical = row % 7 != 6 || bernoulli(random, 0.7);
+      reading.fresh = row % 7 != 6 || bernoulli(random, 0.9);
       reading.since_s = reading.fresh ? kReferenceDtS : 2.0 * kReferenceDtS;
       out.add(check.step(reading, 70.0, kReferenceDtS));
       for (int coil = 0; coil < model::kCoils; ++coil) {
@@ -142,7 +142,7 @@ TEST(ElectricalReference, SupplyBalance) {
         drawn_a += reading.duty[coil] * a;
         reading.current_a[coil] = (coil == row % 3 ? gain : 1.0) * a + 0.02 * random.gaussian();
       }
-      reading.known = row % 4 != 3 || chance(random, 0.7);
+      reading.known = row % 4 != 3 || bernoulli(random, 0.7);
       reading.supply_v =
           (row % 6 == 4 && tick > 11 * kReferenceTicks ? 0.94 : 1.0) * (12.0 - 0.02 * drawn_a);
       reading.supply_current_a = drawn_a + 0.02 * random.gaussian();

@@ -22,12 +22,12 @@ class OrientationEvents : public testing::Test {
                           .last_trip = trip_};
       EventList events;
       reporter_.report_changes(inputs, events);
-      for (const Event& event : events) told_.emplace_back(name(event.type));
+      for (const Event& event : events) reported_.emplace_back(name(event.type));
     }
   }
   using Names = std::vector<std::string>;
 
-  Names told_;
+  Names reported_;
 
  private:
   EventReporter reporter_;
@@ -37,40 +37,40 @@ class OrientationEvents : public testing::Test {
 
 TEST_F(OrientationEvents, TheFirstIsReportedAtOnceAndALossAfterFiftyMilliseconds) {
   run(1, true);
-  EXPECT_EQ(told_, Names{"orientation_restored"});
+  EXPECT_EQ(reported_, Names{"orientation_restored"});
   run(50, false);
-  EXPECT_EQ(told_.size(), 1u);
+  EXPECT_EQ(reported_.size(), 1u);
   run(1, false);
-  EXPECT_EQ(told_.back(), "orientation_lost");
+  EXPECT_EQ(reported_.back(), "orientation_lost");
 }
 
-TEST_F(OrientationEvents, AGapNowAndThenIsNone) {
+TEST_F(OrientationEvents, AnOccasionalGapIsNoLoss) {
   run(10, true);
   for (int i = 0; i < 100; ++i) {
     run(50, false);
     run(1, true);
   }
-  EXPECT_EQ(told_.size(), 1u);
+  EXPECT_EQ(reported_.size(), 1u);
 }
 
-TEST_F(OrientationEvents, OneThatFlickersIsLostOnce) {
+TEST_F(OrientationEvents, AnIntermittentOneIsLostOnce) {
   run(10, true);
   run(60, false);
   for (int i = 0; i < 100; ++i) {
     run(1999, true);
     run(60, false);
   }
-  EXPECT_EQ(told_, (Names{"orientation_restored", "orientation_lost"}));
+  EXPECT_EQ(reported_, (Names{"orientation_restored", "orientation_lost"}));
   run(2001, true);
-  EXPECT_EQ(told_.back(), "orientation_restored");
-  EXPECT_EQ(told_.size(), 3u);
+  EXPECT_EQ(reported_.back(), "orientation_restored");
+  EXPECT_EQ(reported_.size(), 3u);
 }
 
 TEST_F(OrientationEvents, ABusyMachinesLongTickIsNoLoss) {
   run(10, true);
   run(3, false, 400);
   run(10, true);
-  EXPECT_EQ(told_.size(), 1u);
+  EXPECT_EQ(reported_.size(), 1u);
 }
 
 }  // namespace

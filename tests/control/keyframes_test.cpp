@@ -50,7 +50,7 @@ class PlayTest : public testing::Test, public MixerHarness {
   Event ended(EffectId effect) const { return end_of(effect).value_or(Event{}); }
 };
 
-TEST_F(PlayTest, AsksForWhatTheKeyFramesSay) {
+TEST_F(PlayTest, RequestsTheForceOfTheKeyFrames) {
   const auto effect = start(play());
   for (int i = 0; i < 100; ++i) {
     const double level = i < 40 ? i / 40.0 : (100 - i) / 60.0;
@@ -79,7 +79,7 @@ TEST_F(PlayTest, TwiceAsFastIsOverInHalfTheTime) {
   EXPECT_EQ(ended(effect).delivery.offset, 1050);
 }
 
-TEST_F(PlayTest, ANewRateOnTheWayEndsWithThePatternAllTheSame) {
+TEST_F(PlayTest, AChangedRateStillEndsWithThePattern) {
   const auto effect = start(play());
   run(41);
   update(effect, play(0.5));
@@ -88,7 +88,7 @@ TEST_F(PlayTest, ANewRateOnTheWayEndsWithThePatternAllTheSame) {
   EXPECT_EQ(ended(effect).delivery.offset, 1000 + 40 + 120);
 }
 
-TEST_F(PlayTest, ALoopBeginsAgainUntilItsLeaseIsOut) {
+TEST_F(PlayTest, ALoopRepeatsUntilItsLeaseExpires) {
   const auto effect = start(looped(1000));
   const auto demands = run(1000);
   for (std::size_t i = 100; i < 1000; ++i) ASSERT_NEAR(demands[i].x, demands[i - 100].x, 1e-6) << i;
@@ -96,7 +96,7 @@ TEST_F(PlayTest, ALoopBeginsAgainUntilItsLeaseIsOut) {
   EXPECT_EQ(ended(effect).end_reason, EndReason::kExpired);
 }
 
-TEST_F(PlayTest, ALoopThatIsSentAgainEveryFrameGoesOnWhereItWas) {
+TEST_F(PlayTest, ALoopRenewedEveryFrameKeepsItsPhase) {
   EffectId playing = start(looped(250));
   run(30);
   for (int i = 0; i < 3; ++i) {
@@ -125,7 +125,7 @@ TEST_F(PlayTest, ALeasedPatternThatDoesNotLoopIsFeltTwiceToo) {
   EXPECT_NEAR(tick().x, 5, 1e-6);
 }
 
-TEST_F(PlayTest, OtherKeyFramesBeginAtTheirBeginning) {
+TEST_F(PlayTest, NewKeyFramesStartAtTheirBeginning) {
   const auto playing = start(looped());
   run(61);
   LoadKeyframes other = kBump;
@@ -137,7 +137,7 @@ TEST_F(PlayTest, OtherKeyFramesBeginAtTheirBeginning) {
   EXPECT_NEAR(tick().x, 5 * 1 / 40.0, 1e-6);
 }
 
-TEST_F(PlayTest, TheWaveformAndTheEnvelopeGoOnTop) {
+TEST_F(PlayTest, TheWaveformAndTheEnvelopeModulateIt) {
   auto spec = play();
   spec.waveform = model::Waveform::kSquare;
   spec.frequency_hz = 50;
@@ -149,7 +149,7 @@ TEST_F(PlayTest, TheWaveformAndTheEnvelopeGoOnTop) {
   EXPECT_NEAR(tick().x, 0, 1e-9) << "the square is off";
 }
 
-TEST_F(PlayTest, KeyFramesBeyondTheRoomAreSilentNotRead) {
+TEST_F(PlayTest, KeyFramesBeyondTheCapacityAreNotRead) {
   LoadKeyframes beyond = kBump;
   beyond.first = kKeyframeCapacity - 1;
   mixer.load(beyond);

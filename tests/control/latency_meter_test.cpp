@@ -20,7 +20,7 @@ class LatencyMeterTest : public testing::Test {
     inputs.commands[0] = {seq, std::move(what)};
     meter_.applied(inputs, mailbox_->request_times, set_point, now_ns);
   }
-  void ask(std::uint64_t seq, std::int64_t received_ns, std::int64_t queued_ns) {
+  void request(std::uint64_t seq, std::int64_t received_ns, std::int64_t queued_ns) {
     mailbox_->request_times.received(seq, received_ns);
     mailbox_->request_times.queued(seq, queued_ns);
   }
@@ -43,7 +43,7 @@ class LatencyMeterTest : public testing::Test {
 };
 
 TEST_F(LatencyMeterTest, ReportsAnEffectOnceItsSetPointIsWritten) {
-  ask(7, 100, 200);
+  request(7, 100, 200);
   apply(7, StartEffect{}, 40, 300);
   meter_.written(written(39, 350), *mailbox_);
   EXPECT_TRUE(measured().empty());
@@ -59,15 +59,15 @@ TEST_F(LatencyMeterTest, ReportsAnEffectOnceItsSetPointIsWritten) {
   EXPECT_TRUE(measured().empty());
 }
 
-TEST_F(LatencyMeterTest, ALaterSetPointHasTheEffectToo) {
-  ask(7, 100, 200);
+TEST_F(LatencyMeterTest, ALaterSetPointContainsTheEffectToo) {
+  request(7, 100, 200);
   apply(7, UpdateEffect{}, 40, 300);
   meter_.written(written(42, 900), *mailbox_);
   EXPECT_EQ(measured().size(), 1u);
 }
 
 TEST_F(LatencyMeterTest, MeasuresEffectsOnlyAndRequestsOnly) {
-  ask(7, 100, 200);
+  request(7, 100, 200);
   apply(7, SetGain{}, 40, 300);
   apply(8, StartEffect{}, 40, 300);  // without a client's request
   meter_.written(written(40, 400), *mailbox_);
@@ -75,24 +75,24 @@ TEST_F(LatencyMeterTest, MeasuresEffectsOnlyAndRequestsOnly) {
 }
 
 TEST_F(LatencyMeterTest, WithoutABoardNothingIsWritten) {
-  ask(7, 100, 200);
+  request(7, 100, 200);
   apply(7, StartEffect{}, 40, 300);
   meter_.written({}, *mailbox_);
   meter_.written(written(50, 9000), *mailbox_);
   EXPECT_TRUE(measured().empty());
 }
 
-TEST_F(LatencyMeterTest, ALinkThatIsStuckCostsMeasurementsAndNothingElse) {
+TEST_F(LatencyMeterTest, AStuckLinkLosesMeasurementsOnly) {
   constexpr std::uint64_t kMany = 1000;
   for (std::uint64_t seq = 1; seq <= kMany; ++seq) {
-    ask(seq, 100, 200);
+    request(seq, 100, 200);
     apply(seq, StartEffect{}, seq, 300);
   }
   meter_.written(written(kMany, 400), *mailbox_);
   const std::size_t found = measured().size();
   EXPECT_GT(found, 0u);
   EXPECT_LT(found, kMany);
-  ask(kMany + 1, 100, 200);
+  request(kMany + 1, 100, 200);
   apply(kMany + 1, StartEffect{}, kMany + 1, 300);
   meter_.written(written(kMany + 1, 400), *mailbox_);
   EXPECT_EQ(measured().size(), 1u);

@@ -19,7 +19,7 @@ namespace {
 
 /// Device time runs up to a hundred times as fast here; no effect may end by its lease: this is
 /// eleven hours at that pace.
-constexpr std::uint32_t kNeverOver = 4'000'000'000;
+constexpr std::uint32_t kUnlimited = 4'000'000'000;
 
 /// The io side: a mailbox, and a wait with a timeout.
 class Io {
@@ -58,7 +58,7 @@ TEST(LockstepLoop, PlaysEffectsAndStopsSafely) {
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, &io.recorder, {}, 20);
   loop.start();
   ASSERT_TRUE(io.armed());
-  io.start(3, rig::hold({1, 0, 0}, 5.0, kNeverOver));
+  io.start(3, rig::hold({1, 0, 0}, 5.0, kUnlimited));
   ASSERT_TRUE(
       io.wait([&] { return io.status.applied_seq == 1 && io.status.board.current_a.x > 4.9; }));
   EXPECT_EQ(io.status.effects[3].effect, 1003u);
@@ -80,7 +80,7 @@ TEST(LockstepLoop, RunsMinutesOfHeatInSeconds) {
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, board, 100);
   loop.start();
   ASSERT_TRUE(io.armed());
-  io.start(0, rig::hold({1, 0, 0}, 15.0, kNeverOver));
+  io.start(0, rig::hold({1, 0, 0}, 15.0, kUnlimited));
   ASSERT_TRUE(io.wait([&] { return io.status.derating; }));
   EXPECT_GT(io.status.thermal.hottest_c, 59.0);
 }
@@ -90,7 +90,7 @@ TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 10);
   loop.start();
   ASSERT_TRUE(io.armed());
-  io.start(0, rig::hold({1, 0, 0}, 5.0, kNeverOver));
+  io.start(0, rig::hold({1, 0, 0}, 5.0, kUnlimited));
   ASSERT_TRUE(io.wait([&] { return io.status.limited_a.x > 4.9; }));
   while (io.mailbox->commands.push({++io.seq, SetGain{1.0}})) {
   }
@@ -99,7 +99,7 @@ TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
   EXPECT_EQ(io.status.latch, Reason::kEmergencyStop);
 }
 
-TEST(LockstepLoop, NoEndedEventIsLostWhenNobodyReadsThem) {
+TEST(LockstepLoop, NoEndedEventIsLostWhileTheyAreUnread) {
   Io io;
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 50);
   // The queue is full before the loop starts.
@@ -107,15 +107,15 @@ TEST(LockstepLoop, NoEndedEventIsLostWhenNobodyReadsThem) {
   }
   loop.start();
   // Effects in all places are started and end; io reads no events.
-  const auto come_to = [&](const std::function<bool(const StatusSnapshot&)>& there) {
+  const auto run_until = [&](const std::function<bool(const StatusSnapshot&)>& there) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (!there(io.mailbox->status.read()) && std::chrono::steady_clock::now() < until)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   };
-  come_to([](const StatusSnapshot& s) { return s.state == State::kArmed; });
+  run_until([](const StatusSnapshot& s) { return s.state == State::kArmed; });
   for (std::uint8_t place = 0; place < kMaxEffects; ++place)
     io.start(place, rig::pulse({1, 0, 0}, 1.0, 5));
-  come_to([](const StatusSnapshot& s) { return s.applied_seq >= kMaxEffects; });
+  run_until([](const StatusSnapshot& s) { return s.applied_seq >= kMaxEffects; });
   int ended = 0;
   ASSERT_TRUE(io.wait([&] {
     ended = 0;

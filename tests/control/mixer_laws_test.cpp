@@ -118,7 +118,7 @@ RC_GTEST_PROP(MixerLaws, UpdatesAndReplacementsNeverJump, ()) {
 }
 
 // A smooth circle stays continuous when its speed, sense or ring changes at the same angle.
-RC_GTEST_PROP(MixerLaws, ACircleNeverJumpsRound, ()) {
+RC_GTEST_PROP(MixerLaws, ACircleNeverJumps, ()) {
   MixerHarness h;
   EffectSpec spec = MixerHarness::hold({1, 0, 0}, 5, 10'000);
   spec.method = model::EffectMethod::kCircle;
@@ -135,16 +135,16 @@ RC_GTEST_PROP(MixerLaws, ACircleNeverJumpsRound, ()) {
       const model::Vec3 now = h.tick();
       const double turned = std::remainder(
           std::atan2(now.y, now.x) - std::atan2(before.y, before.x), 2 * 3.14159265358979);
-      const double most = 2 * 3.1416 / model::circle_steps(spec.trajectory.ring_deg) * 1e-3 *
-                          spec.trajectory.speed_pins_s;
-      RC_ASSERT(std::abs(turned) <= most + 1e-9);
+      const double max_step = 2 * 3.1416 / model::circle_steps(spec.trajectory.ring_deg) * 1e-3 *
+                              spec.trajectory.speed_pins_s;
+      RC_ASSERT(std::abs(turned) <= max_step + 1e-9);
       before = now;
     }
   }
 }
 
 // A copy of the mixer continues exactly like the original: the flight recorder relies on it.
-RC_GTEST_PROP(MixerLaws, ACopyGoesOnBitForBit, ()) {
+RC_GTEST_PROP(MixerLaws, ACopyContinuesBitForBit, ()) {
   MixerHarness h;
   for (int i = *rc::gen::inRange(1, 20); i > 0; --i) {
     h.start(any_spec());

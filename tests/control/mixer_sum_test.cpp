@@ -43,7 +43,7 @@ TEST_F(MixerSumTest, TheSumIsLeftToTheLimiter) {
   EXPECT_EQ(tick().x, 60.0);
 }
 
-TEST_F(MixerSumTest, OnlyTheHighestPriorityIsFeltAndTheOthersComeBackInTime) {
+TEST_F(MixerSumTest, OnlyTheHighestPriorityPlaysAndTheOthersResume) {
   const auto engine = start(hold({1, 0, 0}, 3, 1000));
   run(10);
   const auto crash = start(with_priority(pulse({0, 1, 0}, 9, 100), 7));
@@ -68,7 +68,7 @@ TEST_F(MixerSumTest, AMaskedEffectIsNotPlayingAndHasNoShare) {
   EXPECT_EQ(status_of(high).current_a, 8.0);
 }
 
-TEST_F(MixerSumTest, AWaitingEffectMasksNobody) {
+TEST_F(MixerSumTest, AWaitingEffectMasksNoOther) {
   start(hold({1, 0, 0}, 5));
   auto later = with_priority(pulse({0, 1, 0}), 7);
   later.delay = 50;
@@ -76,7 +76,7 @@ TEST_F(MixerSumTest, AWaitingEffectMasksNobody) {
   EXPECT_EQ(tick(), (Vec3{5, 0, 0}));
 }
 
-TEST_F(MixerSumTest, WhoEndsWithoutATickFeltWasPreempted) {
+TEST_F(MixerSumTest, AnEffectThatEndsWithoutAPlayedTickIsPreempted) {
   start(with_priority(hold({0, 1, 0}, 5, 5000), 7));
   const auto timed = start(pulse({1, 0, 0}, 5, 50));
   const auto leased = start(hold({1, 0, 0}, 5, 200));
@@ -91,7 +91,7 @@ TEST_F(MixerSumTest, WhoEndsWithoutATickFeltWasPreempted) {
   EXPECT_EQ(end_of(timed)->delivery.mean, 0.0);
 }
 
-TEST_F(MixerSumTest, OneTickFeltIsNotPreempted) {
+TEST_F(MixerSumTest, AnEffectWithOnePlayedTickIsNotPreempted) {
   const auto effect = start(pulse({1, 0, 0}, 5, 50));
   tick();
   start(with_priority(hold({0, 1, 0}), 7));
@@ -99,7 +99,7 @@ TEST_F(MixerSumTest, OneTickFeltIsNotPreempted) {
   EXPECT_EQ(reason_of(effect), EndReason::kCompleted);
 }
 
-TEST_F(MixerSumTest, DeliveredIsWhatTheLimiterLetThrough) {
+TEST_F(MixerSumTest, DeliveredIsTheShareThatTheLimiterPasses) {
   const auto effect = start(pulse({1, 0, 0}, 15, 100));
   run(50);
   passed = 0.6;
@@ -111,7 +111,7 @@ TEST_F(MixerSumTest, DeliveredIsWhatTheLimiterLetThrough) {
   EXPECT_NEAR(delivery.mean, 0.8, 1e-12);
 }
 
-TEST_F(MixerSumTest, NothingAskedCountsAsDelivered) {
+TEST_F(MixerSumTest, ARequestOfZeroCountsAsDelivered) {
   auto spec = pulse({1, 0, 0}, 5, 100);
   spec.waveform = model::Waveform::kSquare;
   spec.frequency_hz = 10;
@@ -151,7 +151,7 @@ TEST_F(MixerSumTest, WorldEffectsTurnAgainstTheBall) {
   expect_near(tick(), {0, 0, -5});
 }
 
-TEST_F(MixerSumTest, WithoutOrientationTheyFadeIn200MsAndComeBackWithIt) {
+TEST_F(MixerSumTest, WithoutOrientationTheyFadeIn200MsAndResumeWithIt) {
   const auto effect = start(in(model::Frame::kWorld, hold({0, 0, 1}, 10, 10'000)));
   run(300);
   inputs.orientation_usable = false;
@@ -177,7 +177,7 @@ TEST_F(MixerSumTest, TheFadeCountsAsNotDelivered) {
   EXPECT_NEAR(end_of(effect)->delivery.mean, 0.75, 0.01);
 }
 
-TEST_F(MixerSumTest, WhoseOrientationStaysAwayTwoSecondsEnds) {
+TEST_F(MixerSumTest, WithoutOrientationForTwoSecondsTheyEnd) {
   const auto world = start(in(model::Frame::kWorld, hold({0, 0, 1}, 5, 10'000)));
   const auto device = start(hold({1, 0, 0}, 5, 10'000));
   run(10);
@@ -189,7 +189,7 @@ TEST_F(MixerSumTest, WhoseOrientationStaysAwayTwoSecondsEnds) {
   EXPECT_FALSE(end_of(device).has_value());
 }
 
-TEST_F(MixerSumTest, ASilencedWorldEffectMasksNobody) {
+TEST_F(MixerSumTest, AFadedWorldEffectMasksNoOther) {
   start(with_priority(in(model::Frame::kWorld, hold({0, 0, 1}, 5, 10'000)), 7));
   start(hold({1, 0, 0}, 4, 10'000));
   inputs.orientation_usable = true;
@@ -198,7 +198,7 @@ TEST_F(MixerSumTest, ASilencedWorldEffectMasksNobody) {
   EXPECT_EQ(run(200)[199], (Vec3{4, 0, 0}));
 }
 
-TEST_F(MixerSumTest, CoilEffectsNameWindingsAndPassTheMatrixBy) {
+TEST_F(MixerSumTest, CoilEffectsAddressWindingsAndBypassTheMatrix) {
   start(in(model::Frame::kCoil, hold({0, 1, 0}, 4)));
   start(hold({1, 0, 0}, 3));
   inputs.device_to_world = model::axis_angle({0, 0, 1}, 90);

@@ -22,14 +22,14 @@ struct MixerTest : testing::Test, MixerHarness {
   }
 };
 
-TEST_F(MixerTest, NothingPlaysAndNothingIsAsked) {
+TEST_F(MixerTest, WithoutEffectsNoForceIsRequested) {
   EXPECT_EQ(tick(), Vec3());
   EXPECT_FALSE(last.any);
   EXPECT_TRUE(mixer.empty());
   EXPECT_TRUE(events.empty());
 }
 
-TEST_F(MixerTest, APulseIsFeltInTheTickOfItsStartForItsDuration) {
+TEST_F(MixerTest, APulsePlaysFromTheTickOfItsStartForItsDuration) {
   const auto effect = start(pulse({0, 1, 0}, 7, 150));
   const auto demand = run(151);
   EXPECT_EQ(demand[0], (Vec3{0, 7, 0}));
@@ -39,7 +39,7 @@ TEST_F(MixerTest, APulseIsFeltInTheTickOfItsStartForItsDuration) {
   EXPECT_EQ(end_of(effect)->delivery.onset, 1000);
 }
 
-TEST_F(MixerTest, TheStartIsToldWithItsSequenceNumber) {
+TEST_F(MixerTest, TheStartIsReportedWithItsSequenceNumber) {
   const auto effect = start(pulse());
   tick();
   ASSERT_EQ(events.size(), 1U);
@@ -82,7 +82,7 @@ TEST_F(MixerTest, AnEffectStartsAtItsTickAndAtOnceWhenThatIsPast) {
   EXPECT_EQ(end_of(late)->delivery.onset, 1000);
 }
 
-TEST_F(MixerTest, ALeaseRunsOutUnlessItIsRenewed) {
+TEST_F(MixerTest, ALeaseExpiresUnlessItIsRenewed) {
   const auto effect = start(hold({1, 0, 0}, 5, 100));
   run(80);
   update(effect, hold({0, 1, 0}, 3, 100));
@@ -126,7 +126,7 @@ TEST_F(MixerTest, AStopEndsAtOnce) {
   EXPECT_TRUE(mixer.empty());
 }
 
-TEST_F(MixerTest, AStopThatComesBeforeItsStartIsNotForgotten) {
+TEST_F(MixerTest, AStopBeforeItsStartIsStillApplied) {
   stop(1);
   tick();
   const auto effect = start(hold());
@@ -136,7 +136,7 @@ TEST_F(MixerTest, AStopThatComesBeforeItsStartIsNotForgotten) {
   EXPECT_EQ(end_of(effect)->delivery.mean, 0.0);
 }
 
-TEST_F(MixerTest, AStopOfAnotherEffectInThePlaceDoesNotEndThisOne) {
+TEST_F(MixerTest, AStopOfAnEarlierEffectInThePlaceDoesNotEndThisOne) {
   stop(1 + kEffectPlaces);
   const auto effect = start(hold());
   run(5);
@@ -160,7 +160,7 @@ TEST_F(MixerTest, AShortTimedEffectMayPlayOutAfterItsConnection) {
   expect_end(effect, EndReason::kCompleted, 3000);
 }
 
-TEST_F(MixerTest, AlsoWhenTheConnectionEndedBeforeTheStartCameThrough) {
+TEST_F(MixerTest, AShortTimedEffectMayPlayOutEvenIfItStartsAfterItsConnection) {
   stop(1, EndReason::kDisconnected);
   auto spec = pulse({1, 0, 0}, 5, 150);
   spec.finish_on_close = true;
@@ -170,7 +170,7 @@ TEST_F(MixerTest, AlsoWhenTheConnectionEndedBeforeTheStartCameThrough) {
   expect_end(effect, EndReason::kCompleted, 1150);
 }
 
-TEST_F(MixerTest, ButNeitherALongNorALeasedOne) {
+TEST_F(MixerTest, ALongOrLeasedEffectMayNotPlayOut) {
   auto longer = pulse({1, 0, 0}, 5, 2001);
   longer.finish_on_close = true;
   auto leased = hold();
@@ -185,7 +185,7 @@ TEST_F(MixerTest, ButNeitherALongNorALeasedOne) {
   expect_end(second, EndReason::kDisconnected, 1001);
 }
 
-TEST_F(MixerTest, AStopEndsEvenWhatWouldPlayOut) {
+TEST_F(MixerTest, AStopEndsAnEffectThatPlaysOut) {
   auto spec = pulse({1, 0, 0}, 5, 500);
   spec.finish_on_close = true;
   const auto effect = start(spec);
@@ -206,7 +206,7 @@ TEST_F(MixerTest, AReplacementTakesOverInTheSameTickAndInPhase) {
   EXPECT_TRUE(status_of(second).playing);
 }
 
-TEST_F(MixerTest, ReplacingEveryTickOrTwiceInATickKeepsTheBeat) {
+TEST_F(MixerTest, ReplacingEveryTickOrTwiceInATickKeepsThePhase) {
   auto spec = vibration(Waveform::kSawtooth, 10);
   spec.envelope.attack = 50;
   EffectId playing = start(spec);
@@ -224,7 +224,7 @@ TEST_F(MixerTest, AnotherWaveformStartsFromItsBeginning) {
   EXPECT_NEAR(tick().x, 0.0, 1e-9);
 }
 
-TEST_F(MixerTest, AReplacedCircleGoesOnFromItsPin) {
+TEST_F(MixerTest, AReplacedCircleContinuesFromItsPin) {
   auto spec = pulse({1, 0, 0}, 5, 5000);
   spec.method = model::EffectMethod::kCircle;
   spec.trajectory.path = model::Path::kCircle;
@@ -238,7 +238,7 @@ TEST_F(MixerTest, AReplacedCircleGoesOnFromItsPin) {
   EXPECT_NEAR(std::atan2(after.y, after.x), 96 * 0.0174532925, 1e-6);
 }
 
-TEST_F(MixerTest, AGameMaySendItsWholeEffectEveryFrameAndTheAttackGoesOn) {
+TEST_F(MixerTest, AnEffectResentEveryFrameContinuesItsAttack) {
   auto spec = vibration(Waveform::kConstant, 60, 250);
   spec.envelope.attack = 100;
   EffectId playing = start(spec);
@@ -272,7 +272,7 @@ TEST_F(MixerTest, WhenTheBallIsNotArmedEverythingEndsAsTripped) {
   expect_end(late, EndReason::kTripped, 1002);
 }
 
-TEST_F(MixerTest, TicksThatNeverRanHavePassedForTheEffectsToo) {
+TEST_F(MixerTest, SkippedTicksAdvanceTheEffects) {
   const auto timed = start(pulse({1, 0, 0}, 5, 100));
   const auto leased = start(hold({1, 0, 0}, 5, 100));
   run(10);

@@ -11,33 +11,33 @@ namespace {
 using model::kTicksPerSecond;
 using model::Tick;
 
-constexpr Reason kWhy = Reason::kSensorFrozen;
+constexpr Reason kReason = Reason::kSensorFrozen;
 
-/// The state after `times` armings after as many trips for kWhy, the last one at tick 0.
+/// The state after `times` armings after as many trips for kReason, the last one at tick 0.
 RearmBackoff after(int times) {
   RearmBackoff backoff;
   for (int i = 0; i < times; ++i) {
     backoff.trip(0);
-    backoff.arm(kWhy, 0);
+    backoff.arm(kReason, 0);
   }
   backoff.trip(0);
   return backoff;
 }
 
-TEST(RearmBackoff, ThreeAreFreeThenEachWaitsTwiceAsLong) {
-  for (const int times : {0, 1, 2}) EXPECT_EQ(after(times).wait(kWhy, 0), 0);
-  EXPECT_EQ(after(3).wait(kWhy, 0), 10 * kTicksPerSecond);
-  EXPECT_EQ(after(4).wait(kWhy, 0), 20 * kTicksPerSecond);
-  EXPECT_EQ(after(8).wait(kWhy, 0), 320 * kTicksPerSecond);
-  EXPECT_EQ(after(9).wait(kWhy, 0), 600 * kTicksPerSecond);
-  EXPECT_EQ(after(1000).wait(kWhy, 0), 600 * kTicksPerSecond);
+TEST(RearmBackoff, ThreeAreImmediateThenTheWaitDoubles) {
+  for (const int times : {0, 1, 2}) EXPECT_EQ(after(times).wait(kReason, 0), 0);
+  EXPECT_EQ(after(3).wait(kReason, 0), 10 * kTicksPerSecond);
+  EXPECT_EQ(after(4).wait(kReason, 0), 20 * kTicksPerSecond);
+  EXPECT_EQ(after(8).wait(kReason, 0), 320 * kTicksPerSecond);
+  EXPECT_EQ(after(9).wait(kReason, 0), 600 * kTicksPerSecond);
+  EXPECT_EQ(after(1000).wait(kReason, 0), 600 * kTicksPerSecond);
 }
 
 TEST(RearmBackoff, TheWaitBeginsWithTheTrip) {
   const RearmBackoff backoff = after(3);
-  EXPECT_EQ(backoff.wait(kWhy, 4000), 6000);
-  EXPECT_EQ(backoff.wait(kWhy, 10'000), 0);
-  EXPECT_EQ(backoff.wait(kWhy, 1'000'000), 0);
+  EXPECT_EQ(backoff.wait(kReason, 4000), 6000);
+  EXPECT_EQ(backoff.wait(kReason, 10'000), 0);
+  EXPECT_EQ(backoff.wait(kReason, 1'000'000), 0);
 }
 
 TEST(RearmBackoff, IsOfTheSameReasonAndOfTripsOnly) {
@@ -48,14 +48,14 @@ TEST(RearmBackoff, IsOfTheSameReasonAndOfTripsOnly) {
   EXPECT_EQ(backoff.wait(Reason::kEmergencyStop, 0), 0) << "whoever stops it may go on";
 }
 
-TEST(RearmBackoff, FiveMinutesArmedTakeOneOff) {
+TEST(RearmBackoff, FiveMinutesArmedRemoveOneTrip) {
   RearmBackoff backoff = after(4);
-  backoff.arm(kWhy, 0);
+  backoff.arm(kReason, 0);
   Tick now = 0;
   const auto armed_for = [&](Tick ticks) {
     for (const Tick until = now + ticks; now < until;) backoff.step(true, ++now);
   };
-  const auto count = [&] { return int{backoff.counts()[static_cast<std::size_t>(kWhy)]}; };
+  const auto count = [&] { return int{backoff.counts()[static_cast<std::size_t>(kReason)]}; };
   armed_for(RearmBackoff::kResetAfter - 1);
   EXPECT_EQ(count(), 5);
   armed_for(1);
@@ -75,9 +75,9 @@ TEST(RearmBackoff, FiveMinutesArmedTakeOneOff) {
 RC_GTEST_PROP(RearmBackoff, WaitsNeverLongerThanTenMinutesAndEnd, ()) {
   const RearmBackoff backoff = after(*rc::gen::inRange(0, 300));
   const Tick now = *rc::gen::inRange<Tick>(0, 2'000'000);
-  const Tick wait = backoff.wait(kWhy, now);
+  const Tick wait = backoff.wait(kReason, now);
   RC_ASSERT(wait >= 0 && wait <= RearmBackoff::kMaxWait);
-  RC_ASSERT(backoff.wait(kWhy, now + wait) == 0);
+  RC_ASSERT(backoff.wait(kReason, now + wait) == 0);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::vector<std::byte> recorded_trip(FlightRecorder& recorder) {
   return recorder.take();
 }
 
-TEST(Replay, GivesTheSameBitsForAtLeastSixSecondsBeforeATrip) {
+TEST(Replay, GivesTheSameBitsForSixSecondsBeforeATrip) {
   FlightRecorder recorder;
   const auto bytes = recorded_trip(recorder);
   State last = State::kArmed;
@@ -51,7 +51,7 @@ TEST(Replay, GivesTheSameBitsForAtLeastSixSecondsBeforeATrip) {
   EXPECT_EQ(name(last), "tripped") << "the tick of the trip is the last one";
 }
 
-TEST(Replay, NoticesOneBit) {
+TEST(Replay, DetectsOneChangedBit) {
   FlightRecorder recorder;
   auto bytes = recorded_trip(recorder);
   // In the last changed word of the outputs of the last tick.
@@ -65,10 +65,10 @@ TEST(Replay, NoticesOneBit) {
 
 TEST(Replay, ADamagedByteAnywhereIsNotReplayed) {
   FlightRecorder recorder;
-  const auto whole = recorded_trip(recorder);
+  const auto recording = recorded_trip(recorder);
   model::RandomStream random(11);
   for (int i = 0; i < 50; ++i) {
-    auto bytes = whole;
+    auto bytes = recording;
     const auto at =
         static_cast<std::size_t>(random.uniform(0.0, 1.0) * static_cast<double>(bytes.size() - 1));
     bytes[at] ^= std::byte{0x40};
@@ -78,7 +78,7 @@ TEST(Replay, ADamagedByteAnywhereIsNotReplayed) {
   }
 }
 
-TEST(Replay, RefusesWhatIsNoRecordingOrOfAnotherBuild) {
+TEST(Replay, RefusesInvalidFilesAndOtherBuilds) {
   FlightRecorder recorder;
   auto bytes = recorded_trip(recorder);
   EXPECT_EQ(replay({}, {}).error, ReplayError::kNotARecording);
@@ -103,7 +103,7 @@ TEST(Replay, ReadsFiles) {
   EXPECT_EQ(result.written_by, build_id());
 }
 
-TEST(Recorder, AFloodOfCommandsShortensItButKeepsItWhole) {
+TEST(Recorder, AFloodOfCommandsShortensItButItStaysConsistent) {
   FlightRecorder recorder(std::size_t{1} << 20);
   rig::Rig rig;
   rig.recorder = &recorder;
@@ -123,7 +123,7 @@ TEST(Recorder, AFloodOfCommandsShortensItButKeepsItWhole) {
   EXPECT_LT(bytes.size(), (std::size_t{1} << 20) + 2 * sizeof(Controller));
 }
 
-TEST(Recorder, FreezesWhenAnArmedBallIsGone) {
+TEST(Recorder, FreezesWhenAnArmedBallDisconnects) {
   FlightRecorder recorder;
   rig::Rig rig;
   rig.recorder = &recorder;
@@ -156,7 +156,7 @@ TEST(Recorder, ARequestWhileItIsFrozenIsForTheNextRecording) {
   EXPECT_EQ(replay(recorder.take(), {}).ticks, 1u);
 }
 
-TEST(Recorder, GoesOnAfterItWasTaken) {
+TEST(Recorder, ContinuesAfterItWasRead) {
   FlightRecorder recorder;
   rig::Rig rig;
   rig.recorder = &recorder;

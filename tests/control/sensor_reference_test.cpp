@@ -34,19 +34,19 @@ TEST(SensorReference, Sensor) {
       if (tick % 250 == 0) {
         slope_k = one_of(random, 0.0, 0.01, -0.008, 0.03);
         follows = row % 3 != 1;
-        reading.open = row % 8 == 5 && chance(random, 0.2);
-        reading.shorted = row % 8 == 6 && chance(random, 0.2);
-        reading.measuring = row % 3 == 1 || chance(random, 0.7);
+        reading.open = row % 8 == 5 && bernoulli(random, 0.2);
+        reading.shorted = row % 8 == 6 && bernoulli(random, 0.2);
+        reading.measuring = row % 3 == 1 || bernoulli(random, 0.7);
         reading.winding_bias_k = random.uniform(0.0, row % 3 == 1 ? 0.6 : 2.0);
         reading.winding_error_k = reading.winding_bias_k + random.uniform(0.0, 2.5);
-        if (row % 6 == 2 && chance(random, 0.3)) reading.sensor_c += random.uniform(-9.0, 9.0);
-        if (row % 12 == 3 && chance(random, 0.2))
+        if (row % 6 == 2 && bernoulli(random, 0.3)) reading.sensor_c += random.uniform(-9.0, 9.0);
+        if (row % 12 == 3 && bernoulli(random, 0.2))
           reading.sensor_c = one_of(random, -20.0, 125.0, -21.0, 126.0);
       }
       winding_c = std::clamp(winding_c + slope_k, 20.0, 75.0);
       reading.winding_c = winding_c + 0.1 * random.gaussian();
       if (follows) reading.sensor_c += (winding_c - reading.sensor_c) * kReferenceDtS / 1.7;
-      reading.fresh = row % 4 != 3 || chance(random, 0.6);
+      reading.fresh = row % 4 != 3 || bernoulli(random, 0.6);
       reading.since_s = reading.fresh ? kReferenceDtS : 3.0 * kReferenceDtS;
       const bool stale = row % 5 == 4 && tick / 1100 % 2 == 1;
       if (tick % 10 == 0 && !stale) ++reading.conversions;
@@ -74,11 +74,11 @@ TEST(SensorReference, Thermometer) {
     for (int tick = 0; tick < 4 * kReferenceTicks; ++tick) {
       if (tick % 200 == 0) {
         slope_k = one_of(random, 0.0, 0.1, 0.3, -0.2);
-        reading.sensor = chance(random, 0.8);
-        if (row % 6 == 3 && chance(random, 0.2))
+        reading.sensor = bernoulli(random, 0.8);
+        if (row % 6 == 3 && bernoulli(random, 0.2))
           shown_c = one_of(random, -40.0, 125.0, -41.0, 126.0);
         if (row % 6 == 4) reading.sensor_c = shown_c + random.uniform(-14.0, 14.0);
-        reading.sample.present = row % 6 != 5 || chance(random, 0.7);
+        reading.sample.present = row % 6 != 5 || bernoulli(random, 0.7);
       }
       shown_c = std::clamp(shown_c + slope_k, -45.0, 130.0);
       if (row % 6 != 4) reading.sensor_c += (shown_c - reading.sensor_c) * 0.01;

@@ -19,7 +19,7 @@ device::BoardTelemetry ready(std::uint8_t arm_count) {
   return board;
 }
 
-TEST(Names, EveryReasonHasOneAndComesBackByIt) {
+TEST(Names, EveryReasonHasOneAndIsFoundByIt) {
   for (int i = 0; i <= static_cast<int>(Reason::kBootLoader); ++i) {
     const auto reason = static_cast<Reason>(i);
     EXPECT_EQ(reason_named(name(reason)), reason);
@@ -28,7 +28,7 @@ TEST(Names, EveryReasonHasOneAndComesBackByIt) {
   EXPECT_EQ(reason_named("nonsense"), Reason::kNone);
 }
 
-TEST(StateMachine, ArmsOnlyWhenTheBoardSaysSoWithOurCount) {
+TEST(StateMachine, ArmsOnlyWhenTheBoardConfirmsTheRequestedCount) {
   StateMachine states{ControlSettings{}};
   EXPECT_EQ(states.state(), State::kAbsent);
   states.board_alive(ready(41), 1);
@@ -45,7 +45,7 @@ TEST(StateMachine, ArmsOnlyWhenTheBoardSaysSoWithOurCount) {
   EXPECT_EQ(states.since(), 5);
 }
 
-TEST(StateMachine, ABoardThatNeverAnswersIsNotArmed) {
+TEST(StateMachine, ABoardThatNeverConfirmsIsNotArmed) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.arm(Reason::kNone, 2);
@@ -59,7 +59,7 @@ TEST(StateMachine, ABoardThatNeverAnswersIsNotArmed) {
   EXPECT_FALSE(states.armed()) << "the arming is over";
 }
 
-TEST(StateMachine, RefusalsAreRespected) {
+TEST(StateMachine, ARefusalEndsTheArming) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.arm(Reason::kSensorOpen, 2);
@@ -78,7 +78,7 @@ TEST(StateMachine, TheFirstTripOfAnEpisodeStays) {
   EXPECT_EQ(states.latch(), Reason::kOverheated);
 }
 
-TEST(StateMachine, AnEmergencyStopEndsAnArmingThatIsUnderWay) {
+TEST(StateMachine, AnEmergencyStopEndsAnArmingInProgress) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.arm(Reason::kNone, 2);
@@ -88,7 +88,7 @@ TEST(StateMachine, AnEmergencyStopEndsAnArmingThatIsUnderWay) {
   EXPECT_EQ(states.latch(), Reason::kEmergencyStop);
 }
 
-TEST(StateMachine, ATripEndsAnArmingThatIsUnderWay) {
+TEST(StateMachine, ATripEndsAnArmingInProgress) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.arm(Reason::kNone, 2);
@@ -97,7 +97,7 @@ TEST(StateMachine, ATripEndsAnArmingThatIsUnderWay) {
   EXPECT_EQ(states.state(), State::kTripped);
 }
 
-TEST(StateMachine, AnEmergencyStopWhileAbsentIsRemembered) {
+TEST(StateMachine, AnEmergencyStopWhileAbsentIsLatched) {
   ControlSettings settings;
   settings.arm_at_start = true;
   StateMachine states{settings};
@@ -109,7 +109,7 @@ TEST(StateMachine, AnEmergencyStopWhileAbsentIsRemembered) {
   EXPECT_EQ(states.reason(), Reason::kEmergencyStop);
 }
 
-TEST(StateMachine, AnEmergencyStopWhileAbsentDoesNotLoosenATrip) {
+TEST(StateMachine, AnEmergencyStopWhileAbsentDoesNotReplaceATrip) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.trip(Reason::kOverheated, 2);
@@ -159,7 +159,7 @@ TEST(StateMachine, TheBootLoaderIsForABoardThatIsNeitherArmedNorBeingArmed) {
   EXPECT_EQ(states.state(), State::kTripped) << "new firmware does not loosen a trip";
 }
 
-TEST(StateMachine, ABoardThatStaysCanBeArmedAfterAWhile) {
+TEST(StateMachine, ABoardThatDoesNotEnterItCanBeArmedAfterATimeout) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.enter_boot_loader(2);
@@ -172,21 +172,21 @@ TEST(StateMachine, ABoardThatStaysCanBeArmedAfterAWhile) {
   EXPECT_TRUE(states.arming());
 }
 
-TEST(StateMachine, ABoardThatComesLongAfterTheStartIsAHotPlug) {
+TEST(StateMachine, ABoardThatAppearsLongAfterTheStartIsAHotPlug) {
   ControlSettings settings;
   settings.arm_at_start = true;
-  for (const model::Tick seen : {model::Tick{1}, settings.start_timeout + 1}) {
+  for (const model::Tick appears_at : {model::Tick{1}, settings.start_timeout + 1}) {
     StateMachine states{settings};
     states.board_gone(Reason::kNoBoard, 0);
-    states.board_alive(ready(0), seen);
-    for (model::Tick t = seen; t < seen + 10; ++t)
+    states.board_alive(ready(0), appears_at);
+    for (model::Tick t = appears_at; t < appears_at + 10; ++t)
       states.step(ready(states.arm_count()), true, Reason::kNone, t);
-    EXPECT_EQ(states.armed(), seen == 1);
-    EXPECT_EQ(states.reason(), seen == 1 ? Reason::kNone : Reason::kHotPlug);
+    EXPECT_EQ(states.armed(), appears_at == 1);
+    EXPECT_EQ(states.reason(), appears_at == 1 ? Reason::kNone : Reason::kHotPlug);
   }
 }
 
-TEST(StateMachine, SecondSightIsAHotPlug) {
+TEST(StateMachine, AReappearanceIsAHotPlug) {
   ControlSettings settings;
   settings.arm_at_start = true;
   StateMachine states{settings};
@@ -222,7 +222,7 @@ TEST(Fan, FullWhenTheMeanOfHalfAMinuteIsAboveThreeAmpere) {
   EXPECT_LT(fan.mean_a(), 3.0);
 }
 
-TEST(Heading, FreshForAHundredTicksAndRefusesWhatIsNoRotation) {
+TEST(Heading, FreshForAHundredTicksAndRefusesInvalidRotations) {
   Heading heading;
   device::OrientationSample sample;
   heading.step(sample, 5);

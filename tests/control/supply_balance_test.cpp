@@ -47,7 +47,7 @@ struct SupplyBench {
   }
 };
 
-TEST(SupplyBalance, ToleratesWhatPartsAreAllowed) {
+TEST(SupplyBalance, ToleratesTheTolerancesOfTheParts) {
   for (const double sign : {-1.0, 1.0}) {
     SupplyBench bench;
     bench.gain = {1.0 + 0.02 * sign, 1.0 - 0.02 * sign, 1.0 + 0.02 * sign};
@@ -70,7 +70,7 @@ TEST(SupplyBalance, NamesAWindingWhoseCurrentReadsTenPercentHigh) {
   }
 }
 
-TEST(SupplyBalance, SaysOfAMoveOfVIWhatElseHasMoved) {
+TEST(SupplyBalance, NamesWhatElseHasMovedWithVI) {
   const Vec3 along{0, 12, 0};
   const auto moved = [&](auto&& change, double share) {
     SupplyBench bench;
@@ -103,7 +103,7 @@ TEST(SupplyBalance, NamesTheCurrentTooATenthOfASecondAfterItsGainHasChanged) {
   }
 }
 
-TEST(SupplyBalance, WhatHasMovedTheOtherWayIsNotExcluded) {
+TEST(SupplyBalance, AQuantityThatMovedTheOtherWayIsNotExcluded) {
   const auto moved = [](double gain, double supply_v, double share) {
     SupplyBench bench;
     bench.run({0, 12, 0}, 10.0);
@@ -116,7 +116,7 @@ TEST(SupplyBalance, WhatHasMovedTheOtherWayIsNotExcluded) {
   EXPECT_TRUE(moved(1.0, 11.6, 0.033).has(Quantity::kSupplyVoltage));
 }
 
-TEST(SupplyBalance, OfWhatItHasNotSeenItNamesBoth) {
+TEST(SupplyBalance, WithoutObservationsItNamesBoth) {
   const SupplyBalance fresh;
   const Disagreement found = fresh.moved(2, -0.05, SupplyBalance::Since::kStart);
   EXPECT_TRUE(found.has(Quantity::kResistance));

@@ -24,12 +24,12 @@ class Sensor {
     reading.sensor_c = sensor_c;
     return check.step(reading, kDt);
   }
-  /// Ticks until the check returns a reason, at most `most`.
-  std::pair<Reason, int> until_trip(double sensor_c, int most, bool converts = true) {
-    for (int i = 1; i <= most; ++i)
+  /// Ticks until the check returns a reason, at most `max_ticks`.
+  std::pair<Reason, int> until_trip(double sensor_c, int max_ticks, bool converts = true) {
+    for (int i = 1; i <= max_ticks; ++i)
       if (const Reason reason = step(sensor_c, converts); reason != Reason::kNone)
         return {reason, i};
-    return {Reason::kNone, most};
+    return {Reason::kNone, max_ticks};
   }
   ThermistorCheck check;
   SensorReading reading;
@@ -38,7 +38,7 @@ class Sensor {
   int ticks_ = 0;
 };
 
-TEST(ThermistorCheck, IsNotSaneBeforeItsFirstReading) {
+TEST(ThermistorCheck, IsNotPlausibleBeforeItsFirstReading) {
   Sensor sensor;
   EXPECT_EQ(sensor.check.arming_blocker(), Reason::kSensorStale);
   EXPECT_FALSE(sensor.check.usable());
@@ -73,7 +73,7 @@ TEST(ThermistorCheck, AJumpTripsAfterTwentyMillisecondsOneOddReadingDoesNot) {
   EXPECT_EQ(ticks, 20);
 }
 
-TEST(ThermistorCheck, StaleWhenTheConversionsStandStill) {
+TEST(ThermistorCheck, StaleWhenTheConversionsStop) {
   Sensor sensor;
   sensor.until_trip(40.0, 100);
   sensor.until_trip(40.0, 251, false);
@@ -133,7 +133,7 @@ TEST(ThermistorCheck, ElevenKelvinOffIsNoFaultYet) {
 }
 
 /// Real thermistors with lags of 1..3 s on a winding with a wildly changing load: never a reason.
-TEST(ThermistorCheck, BelievesEveryRealThermistor) {
+TEST(ThermistorCheck, AcceptsEveryRealThermistor) {
   for (const double lag : {1.0, 2.0, 3.0}) {
     model::RandomStream random(static_cast<std::uint64_t>(lag * 10));
     Sensor sensor;

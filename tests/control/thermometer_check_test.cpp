@@ -37,7 +37,7 @@ struct Probe {
   }
 };
 
-TEST(ThermometerCheck, NoneIsNeverMissed) {
+TEST(ThermometerCheck, AMissingThermometerIsNoFault) {
   ThermometerCheck check(ThermometerRole::kNone);
   EXPECT_EQ(check.step({}, model::kTickSeconds), Reason::kNone);
   EXPECT_EQ(check.arming_blocker(), Reason::kNone);
@@ -63,7 +63,7 @@ TEST(ThermometerCheck, IsLostAfterFiveSecondsOfSilence) {
   }
 }
 
-TEST(ThermometerCheck, WhatNoProbeCanShowIsNoReading) {
+TEST(ThermometerCheck, ValuesOutsideTheRangeOfProbesAreNoReading) {
   Probe probe(ThermometerRole::kShell);
   for (const double possible_c : {-40.0, 0.0, 47.0}) {
     probe.reading.sample.celsius = possible_c;
@@ -139,7 +139,7 @@ TEST(ThermometerCheck, AProbeMayLagByOneToFortySeconds) {
   }
 }
 
-TEST(ThermometerCheck, WithoutAThermistorThatMayBeBelievedNothingDisagrees) {
+TEST(ThermometerCheck, WithoutAPlausibleThermistorNothingDisagrees) {
   Reason reason{};
   Probe probe(ThermometerRole::kCoil);
   probe.reading.sensor = false;

@@ -23,7 +23,7 @@ class TickCost : public testing::Test {
   void push(const decltype(Command::what)& what) { mailbox_->commands.push({++seq_, what}); }
 
   /// Every kind of request, with random places and times.
-  void ask(model::Tick tick) {
+  void send_requests(model::Tick tick) {
     if (tick % 7 == 0) {
       const auto place = static_cast<std::uint8_t>(random_.bits() % kMaxEffects);
       mailbox_->stops.request(effects_[place], place, EndReason::kReplaced);
@@ -67,7 +67,7 @@ class TickCost : public testing::Test {
 
 TEST_F(TickCost, NoAllocationAndNoLock) {
   const std::uint64_t at_first = rig::allocations() + rig::locks();
-  const auto kept = std::make_unique<std::array<int, 100>>();
+  const auto allocated = std::make_unique<std::array<int, 100>>();
   std::mutex mutex;
   { const std::lock_guard held(mutex); }
   ASSERT_EQ(rig::allocations() + rig::locks(), at_first + 2) << "the guard counts";
@@ -78,7 +78,7 @@ TEST_F(TickCost, NoAllocationAndNoLock) {
   bool tripped = false;
   Event event;
   for (model::Tick tick = 1; tick < 6000; ++tick) {
-    ask(tick);
+    send_requests(tick);
     if (tick == 5800) world_.board().apply({25.0, device::kSimSensorOpen, 0, {}});
     const std::uint64_t allocations_before = rig::allocations();
     const std::uint64_t locks_before = rig::locks();

@@ -181,7 +181,7 @@ TEST(OverTemperatureCheck, AWindingAtSeventyForFiftyMilliseconds) {
   }
 }
 
-TEST(OverTemperatureCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
+TEST(OverTemperatureCheck, AWindingIsCheckedByItsPresentCurrentOnly) {
   OverTemperatureCheck check = referenced(1);
   const auto tick = [&](double current_a) {
     return check.step(steady(1, current_a, 72.0), 70.0, model::kTickSeconds);
@@ -200,7 +200,7 @@ TEST(OverTemperatureCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
   EXPECT_LE(driven, 120);
 }
 
-TEST(OverTemperatureCheck, AWindingThatIsColderThanAnyRoomForHalfASecondIsAMismatch) {
+TEST(OverTemperatureCheck, AWindingColderThanAnyAmbientForHalfASecondIsAMismatch) {
   OverTemperatureCheck check;
   int ticks = 0;
   while (check.step(steady(2, 8.0, -60.0), 70.0, model::kTickSeconds) == Reason::kNone &&
@@ -244,7 +244,7 @@ TEST(FanCheck, ThreeSecondsWithoutATurn) {
     ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
 }
 
-TEST(BoardCheck, NamesTheGravestFault) {
+TEST(BoardCheck, NamesTheMostSevereFault) {
   using namespace device;
   EXPECT_EQ(name(reason_of_faults(kFaultDeadMan)), "board_dead_man");
   EXPECT_EQ(name(reason_of_faults(kFaultDeadMan | kFaultBridge)), "bridge_fault");

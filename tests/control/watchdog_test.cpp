@@ -60,7 +60,7 @@ TEST(Watchdog, AHealthyBallAtRestIsNoFault) {
   EXPECT_EQ(ball.watchdog.arming_blocker(), Reason::kNone);
 }
 
-TEST(Watchdog, AnUnarmedBallIsStoppedOnlyByWhatBurnsAnyBall) {
+TEST(Watchdog, ADisarmedBallTripsOnlyByHeatAndUnexpectedCurrent) {
   const auto reason_of = [](std::uint16_t faults, bool armed) {
     Watched ball;
     ball.armed = armed;
@@ -90,7 +90,7 @@ TEST(Watchdog, TheBoardsOwnFaultIsNamedBeforeItsConsequences) {
   EXPECT_EQ(ball.step(), Reason::kBridgeFault);
 }
 
-TEST(Watchdog, ASleepingBoardIsExpectedToCarryNothingWhateverWasCommanded) {
+TEST(Watchdog, ASleepingBoardIsExpectedToCarryNoCurrent) {
   for (const auto mode : {device::BoardMode::kSafe, device::BoardMode::kLatched}) {
     Watched ball;
     ball.commanded = device::BoardCommand();
@@ -176,7 +176,7 @@ TEST(Watchdog, ABrokenWireCountsByTheBoardsFaultOrByTheReading) {
   }
 }
 
-TEST(Watchdog, ABoardThatIsSilentIsDoubtedFirst) {
+TEST(Watchdog, ASilentBoardBlocksArmingBeforeItTrips) {
   Watched ball;
   EXPECT_EQ(ball.watchdog.arming_blocker(), Reason::kNoBoard);
   ball.step();
@@ -186,7 +186,7 @@ TEST(Watchdog, ABoardThatIsSilentIsDoubtedFirst) {
   EXPECT_EQ(ball.watchdog.arming_blocker(), Reason::kNoBoard);
 }
 
-TEST(Watchdog, ACurrentThatNobodyAskedForIsDoubtedBeforeItTrips) {
+TEST(Watchdog, AnUnrequestedCurrentBlocksArmingBeforeItTrips) {
   Watched ball;
   ball.run(10);
   ball.board.current_a = {0.0, 0.0, 2.0};
@@ -194,7 +194,7 @@ TEST(Watchdog, ACurrentThatNobodyAskedForIsDoubtedBeforeItTrips) {
   EXPECT_EQ(ball.watchdog.arming_blocker(), Reason::kUnexpectedCurrent);
 }
 
-TEST(Watchdog, FramesThatWereLostCountWithTheNextOneUpToTwentyMilliseconds) {
+TEST(Watchdog, LostFramesCountWithTheNextOneUpToTwentyMilliseconds) {
   Watched ball;
   ball.run(10);
   ball.board.thermistors = 3;
@@ -210,7 +210,7 @@ TEST(Watchdog, FramesThatWereLostCountWithTheNextOneUpToTwentyMilliseconds) {
 }
 
 // Arming clears the board's latch; no other fault is ignored during it.
-TEST(Watchdog, WhileArmingTheBoardsOwnLatchIsForgivenAndNoOtherFault) {
+TEST(Watchdog, WhileArmingOnlyTheBoardsOwnLatchIsIgnored) {
   Watched latched;
   latched.arming = true;
   latched.board.mode = device::BoardMode::kLatched;

@@ -32,7 +32,7 @@ RC_GTEST_PROP(WordDeltas, GiveEachValueBack,
   }
 }
 
-TEST(WordDelta, TakesAWordForWhatDidNotChangeAndOneForEachThatDid) {
+TEST(WordDelta, UsesOneWordForTheUnchangedAndOneForEachChanged) {
   WordDelta<Value> delta;
   Value value{};
   EXPECT_EQ(encoded(delta, value).size(), 8u);

@@ -19,26 +19,26 @@ if ! unshare --user --map-root-user --mount mount -t binfmt_misc binfmt_misc "$f
   exec "$@"
 fi
 
-talk=$(mktemp -d)
+pipes=$(mktemp -d)
 # unshare blocks SIGTERM; the processes in its namespace end with it.
-trap '[ -z "${child-}" ] || kill -KILL "$child" 2>/dev/null || true; rm -rf "$talk"' EXIT
-mkfifo "$talk/unshared" "$talk/mapped"
+trap '[ -z "${child-}" ] || kill -KILL "$child" 2>/dev/null || true; rm -rf "$pipes"' EXIT
+mkfifo "$pipes/unshared" "$pipes/mapped"
 # shellcheck disable=SC2016  # expanded by the inner shell
 unshare --user --mount --pid --ipc --fork --kill-child bash -euc '
-  talk=$1 qemu=$2 formats=$3
+  pipes=$1 qemu=$2 formats=$3
   shift 3
-  echo >"$talk/unshared"
-  read -r <"$talk/mapped"
+  echo >"$pipes/unshared"
+  read -r <"$pipes/mapped"
   mount -t proc proc /proc
   mount -t binfmt_misc binfmt_misc "$formats"
   # The header of an ELF program (64 bit, little-endian, executable or shared) for the machine 0xb7. F: opened here, for all roots.
   header="\x7f\x45\x4c\x46\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00"
   mask="\xff\xff\xff\xff\xff\xff\xff\x00\xff\xff\xff\xff\xff\xff\xff\xff\xfe\xff\xff\xff"
   printf "%s" ":qemu-aarch64:M::$header:$mask:$qemu:F" >"$formats/register"
-  exec "$@"' bash "$talk" "$qemu" "$formats" "$@" &
+  exec "$@"' bash "$pipes" "$qemu" "$formats" "$@" &
 child=$!
-read -r <"$talk/unshared"
+read -r <"$pipes/unshared"
 # Maps every user and group to itself.
 for map in uid_map gid_map; do echo "0 0 4294967295" >"/proc/$child/$map"; done
-echo >"$talk/mapped"
+echo >"$pipes/mapped"
 wait "$child"

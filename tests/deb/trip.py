@@ -5,7 +5,7 @@ import sys
 
 from hedgehog import Ball, RequestError
 
-PATIENCE_S = 60
+TIMEOUT_S = 60
 
 
 def trip_reason(ball, events):
@@ -23,8 +23,8 @@ def trip_reason(ball, events):
 
 
 def main():
-    with Ball(patience_s=PATIENCE_S) as ball:
-        events = ball.events(["state_changed"], patience_s=PATIENCE_S)
+    with Ball(timeout_s=TIMEOUT_S) as ball:
+        events = ball.events(["state_changed"], timeout_s=TIMEOUT_S)
         for _ in range(5):
             reason = trip_reason(ball, events)
             if reason:

@@ -34,13 +34,13 @@ Found found(std::size_t pins, double extension_mm, double mass_g, double outer_m
 }
 
 std::vector<Found> pareto_front(std::vector<Found> found) {
-  const auto all_stay = [](const std::vector<Found>& some) {
+  const auto accept_all = [](const std::vector<Found>& some) {
     return std::vector<std::optional<Found>>(some.begin(), some.end());
   };
-  return checked_front(std::move(found), all_stay).front;
+  return checked_front(std::move(found), accept_all).front;
 }
 
-TEST(Front, KeepsWhatNothingBeats) {
+TEST(Front, HasTheDesignsThatNoneDominates) {
   const Found thesis = found(86, 0.59, 1180, 100);
   EXPECT_TRUE(dominates(thesis, found(66, 0.59, 1180, 100)));
   EXPECT_FALSE(dominates(thesis, thesis));
@@ -53,46 +53,46 @@ TEST(Front, KeepsWhatNothingBeats) {
   EXPECT_EQ(front[2].pins, 116U);
 }
 
-TEST(Front, HasNoneThatIsBeatenAndMissesNoneThatIsNot) {
+TEST(Front, HasExactlyTheDesignsThatNoneDominates) {
   std::vector<Found> all;
   all.reserve(300);
   unsigned seed = 7;
   const auto next = [&seed] { return (seed = seed * 1103515245U + 12345U) >> 16 & 7U; };
   for (int i = 0; i < 300; ++i) all.push_back(found(next(), next(), next(), next()));
   const auto front = pareto_front(all);
-  const auto beaten = [&](const Found& one) {
+  const auto is_dominated = [&](const Found& one) {
     return std::any_of(all.begin(), all.end(),
                        [&](const Found& other) { return dominates(other, one); });
   };
-  for (const Found& one : front) EXPECT_FALSE(beaten(one));
+  for (const Found& one : front) EXPECT_FALSE(is_dominated(one));
   EXPECT_EQ(front.size(),
             static_cast<std::size_t>(std::count_if(
-                all.begin(), all.end(), [&](const Found& one) { return !beaten(one); })));
+                all.begin(), all.end(), [&](const Found& one) { return !is_dominated(one); })));
 }
 
-TEST(Front, WhoIsRefusedMakesRoomForWhomItBeats) {
+TEST(Front, ARefusedDesignIsReplacedByThoseItDominates) {
   const Found best = found(86, 0.9, 1000, 98);
   const Found second = found(86, 0.8, 1100, 99);  // dominated by `best` only
   const Found third = found(86, 0.7, 1200, 100);  // dominated by both
   const Found other = found(116, 0.5, 1300, 112);
-  std::size_t asked = 0;
+  std::size_t checked = 0;
   const auto front_without = [&](std::size_t refused_below_mm) {
-    asked = 0;
+    checked = 0;
     return checked_front({third, other, second, best}, [&](const std::vector<Found>& some) {
-      asked += some.size();
-      std::vector<std::optional<Found>> stays;
-      stays.reserve(some.size());
+      checked += some.size();
+      std::vector<std::optional<Found>> results;
+      results.reserve(some.size());
       for (const Found& one : some) {
-        const bool stay = one.outer_diameter_mm >= static_cast<double>(refused_below_mm);
-        stays.push_back(stay ? std::optional(one) : std::nullopt);
+        const bool accepted = one.outer_diameter_mm >= static_cast<double>(refused_below_mm);
+        results.push_back(accepted ? std::optional(one) : std::nullopt);
       }
-      return stays;
+      return results;
     });
   };
   const auto all = front_without(0);
   ASSERT_EQ(all.front.size(), 2U);
   EXPECT_EQ(all.front[0].outer_diameter_mm, 98);
-  EXPECT_EQ(asked, 2U) << "who is beaten by one that stays is not asked about";
+  EXPECT_EQ(checked, 2U) << "who is beaten by one that stays is not asked about";
   const auto without_first = front_without(99);
   ASSERT_EQ(without_first.front.size(), 2U);
   EXPECT_EQ(without_first.front[0].outer_diameter_mm, 99);
@@ -105,7 +105,7 @@ TEST(Front, WhoIsRefusedMakesRoomForWhomItBeats) {
 }
 
 // The front contains the designs that the check returns, sorted, and none dominates another.
-TEST(Front, IsOfTheBallsAsTheyWouldBeBuilt) {
+TEST(Front, IsOfTheDesignsReturnedByTheCheck) {
   const auto front =
       checked_front({found(86, 0.9, 1000, 100), found(86, 0.8, 900, 102), found(86, 0.7, 800, 104)},
                     [](const std::vector<Found>& some) {
@@ -120,7 +120,7 @@ TEST(Front, IsOfTheBallsAsTheyWouldBeBuilt) {
   EXPECT_EQ(front[1].outer_diameter_mm, 104);
 }
 
-TEST(Workers, ThrowOnWhatAPieceThrows) {
+TEST(Workers, RethrowTheErrorOfAnItem) {
   std::atomic<int> done = 0;
   const auto work = [&](std::size_t i) {
     ++done;
@@ -130,14 +130,14 @@ TEST(Workers, ThrowOnWhatAPieceThrows) {
   EXPECT_EQ(done, 20);
 }
 
-TEST(Workers, DoEachPieceOnce) {
+TEST(Workers, ProcessEachItemOnce) {
   std::vector<std::atomic<int>> done(500);
-  std::size_t last_told = 0;
+  std::size_t last_progress = 0;
   parallel_for(
       done.size(), 3, [&](std::size_t i) { ++done[i]; },
-      [&](std::size_t so_far) { last_told = so_far; });
+      [&](std::size_t so_far) { last_progress = so_far; });
   for (const auto& one : done) EXPECT_EQ(one, 1);
-  EXPECT_EQ(last_told, done.size());
+  EXPECT_EQ(last_progress, done.size());
   parallel_for(
       0, 2, [](std::size_t) { FAIL(); }, [](std::size_t) {});
 }
@@ -188,7 +188,7 @@ TEST(Search, FindsTheBallOfTheThesis) {
 // Ten thousand designs in a minute are 6 ms each. Compared within one run with the full computation
 // of one design, about 10 ms; in a search a design takes a tenth of that. Processor time, measured
 // alternately, the minimum of up to five each: other load on the machine can only increase it.
-TEST(Search, LooksAtADesignInAFractionOfWhatTheFullComputationTakes) {
+TEST(Search, EvaluatesADesignFasterThanTheFullComputation) {
   SearchSpace space{{"tkD"}, {{8, 10}}, {}, {35.0, 35.5, 36.0, 36.5}, {}};
   for (int i = 0; i <= 40; ++i) space.shields.push_back({3.0 + 0.05 * i, 10.0});
   Design design;
@@ -208,7 +208,7 @@ TEST(Search, LooksAtADesignInAFractionOfWhatTheFullComputationTakes) {
   EXPECT_LT(in_search, full / 3.0);
 }
 
-TEST(Search, DemandsRuleDesignsOut) {
+TEST(Search, RequirementsExcludeDesigns) {
   const auto front_size = [](const SearchSpace& space, const Demands& demands) {
     return Search::in(space, demands).value().run(1, [](std::size_t) {}).front.size();
   };
@@ -228,12 +228,12 @@ TEST(Search, DemandsRuleDesignsOut) {
   EXPECT_EQ(dense.fit, 0U);
 }
 
-TEST(Choose, SaysTheSameOnOneThreadAsOnTwo) {
+TEST(Choose, FindsTheSameOnOneThreadAndOnTwo) {
   const auto found_by = [](const std::string& threads) {
-    return ask({"choose", "--arrays", "cD", "wD", "--shields", "3.8..4.6/0.2x10", "--spheres",
-                "35..36/0.5", "--threads", threads, "--json"});
+    return run_design({"choose", "--arrays", "cD", "wD", "--shields", "3.8..4.6/0.2x10",
+                       "--spheres", "35..36/0.5", "--threads", threads, "--json"});
   };
-  const Answer one = found_by("1");
+  const CommandResult one = found_by("1");
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_EQ(one.out, found_by("2").out);
   EXPECT_EQ(one.json().at("looked_at"), 2 * 5 * 3);
@@ -241,29 +241,29 @@ TEST(Choose, SaysTheSameOnOneThreadAsOnTwo) {
   EXPECT_EQ(one.json().at("best"), one.json().at("front").front());
 }
 
-TEST(Choose, SavesADesignThatOtherVerbsRead) {
+TEST(Choose, SavesADesignForOtherVerbs) {
   const TemporaryFolder folder;
   const std::string file = folder.path("best.json");
-  const Answer answer = ask(
+  const CommandResult result = run_design(
       {"choose", "--arrays", "tkD", "--shields", "3.9..4.1x10", "--spheres", "35", "--save", file});
-  ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  EXPECT_THAT(answer.out,
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
               HasSubstr("tkD-86, 86 pins 8x10, shields 4x10, sphere 35 mm, 0.58 mm, 1.5 kg"));
   // The wall is reported, because no printer makes one as thin.
-  EXPECT_THAT(answer.out, HasSubstr("its casing has walls of 0.03 mm"));
-  EXPECT_EQ(ask({"stability", file, "--json"}).json().at("stable"), true);
-  const Answer nothing = ask(
+  EXPECT_THAT(result.out, HasSubstr("its casing has walls of 0.03 mm"));
+  EXPECT_EQ(run_design({"stability", file, "--json"}).json().at("stable"), true);
+  const CommandResult no_result = run_design(
       {"choose", "--arrays", "tkD", "--shields", "3x10", "--spheres", "35", "--save", file + "2"});
-  EXPECT_EQ(nothing.exit_code, kBadData);
+  EXPECT_EQ(no_result.exit_code, kBadData);
   EXPECT_FALSE(std::filesystem::exists(file + "2"));
 }
 
-TEST(Choose, RefusesWhatCannotBeSearched) {
+TEST(Choose, RefusesImpossibleSearches) {
   const auto error_message = [](std::vector<std::string> words) {
     words.insert(words.begin(), "choose");
-    const Answer answer = ask(words);
-    EXPECT_EQ(answer.exit_code, kUsage);
-    return answer.err;
+    const CommandResult result = run_design(words);
+    EXPECT_EQ(result.exit_code, kUsage);
+    return result.err;
   };
   EXPECT_THAT(error_message({"--spheres", "30"}), HasSubstr("inside the electromagnet"));
   EXPECT_THAT(error_message({"--arrays", "tkd"}), HasSubstr("did you mean 'tkD'?"));

@@ -28,9 +28,10 @@ using testing::StartsWith;
 TEST(Export, HalvesAreClosed) {
   const TemporaryFolder folder;
   const std::string csv = folder.write("small.csv", kSmallBall);
-  const Answer answer = ask({"export", "--positions", csv, "--facets", "8", "--stl",
-                             folder.path("casing"), "--scad", folder.path("casing.scad")});
-  ASSERT_EQ(answer.exit_code, 0) << answer.err << "(openscad must be installed: make deps)";
+  const CommandResult result =
+      run_design({"export", "--positions", csv, "--facets", "8", "--stl", folder.path("casing"),
+                  "--scad", folder.path("casing.scad")});
+  ASSERT_EQ(result.exit_code, 0) << result.err << "(openscad must be installed: make deps)";
   double printed_mm3 = 0.0;
   for (const char* half : {"casing/upper.stl", "casing/lower.stl"}) {
     const auto surface = check_stl(folder.read(half)).value();
@@ -53,19 +54,19 @@ TEST(Export, HalvesAreClosed) {
   EXPECT_THAT(folder.read("casing.scad"), HasSubstr("pin_diameter = 8;"));
 }
 
-TEST(Export, CavitiesThatRunIntoEachOtherAreRefused) {
+TEST(Export, OverlappingCavitiesAreRefused) {
   const TemporaryFolder folder;
   const std::string scad = folder.path("c.scad");
-  const Answer ball = ask({"export", "--scad", scad, "--clearance", "0.15"});
+  const CommandResult ball = run_design({"export", "--scad", scad, "--clearance", "0.15"});
   EXPECT_EQ(ball.exit_code, 0) << ball.err;
   EXPECT_THAT(ball.err, HasSubstr("thinnest wall 0.0"));
   EXPECT_THAT(ball.err, HasSubstr("between pin"));
   EXPECT_THAT(ball.err, HasSubstr("a common nozzle prints lines of 0.4 mm"));
   // The default clearance leaves a wall.
-  const Answer printable = ask({"export", "--scad", scad});
+  const CommandResult printable = run_design({"export", "--scad", scad});
   EXPECT_THAT(printable.err, HasSubstr("thinnest wall 0.2"));
   EXPECT_THAT(printable.err, HasSubstr("clearance 0.05 mm"));
-  const Answer wide = ask({"export", "--scad", scad, "--array", "cD"});
+  const CommandResult wide = run_design({"export", "--scad", scad, "--array", "cD"});
   EXPECT_THAT(wide.err, HasSubstr("clearance 0.15 mm"));
   EXPECT_THAT(wide.err, Not(HasSubstr("nozzle")));
   std::filesystem::remove(scad);
@@ -75,7 +76,7 @@ TEST(Export, CavitiesThatRunIntoEachOtherAreRefused) {
         {"--shield", "4.7x10"}}) {
     std::vector<std::string> words{"export", "--scad", scad};
     words.insert(words.end(), more.begin(), more.end());
-    const Answer refused = ask(words);
+    const CommandResult refused = run_design(words);
     EXPECT_EQ(refused.exit_code, kBadData) << more.front();
     EXPECT_THAT(refused.err, HasSubstr("run into each other")) << more.front();
     EXPECT_FALSE(std::filesystem::exists(scad)) << more.front();
@@ -86,7 +87,7 @@ TEST(Export, CavitiesThatRunIntoEachOtherAreRefused) {
   EXPECT_NEAR(cavity_reach_mm(casing, {8, 10}), 4.3296, 1e-4) << "4 mm between the sides";
 }
 
-TEST(Export, ABrokenModelIsNotCalledClosed) {
+TEST(Export, AnOpenModelIsNotReportedAsClosed) {
   const TemporaryFolder folder;
   const std::string scad =
       folder.write("x.scad", "polyhedron([[0,0,0],[1,0,0],[0,1,0]], [[0,1,2]]);");
@@ -95,9 +96,9 @@ TEST(Export, ABrokenModelIsNotCalledClosed) {
       render_stl(folder.write("y.scad", "cube("), "upper", folder.path("y.stl")).has_value());
 }
 
-TEST(Export, TheDaemonTakesTheDeviceFile) {
+TEST(Export, TheDaemonAcceptsTheDeviceFile) {
   const TemporaryFolder folder;
-  ASSERT_EQ(ask({"export", "--device", folder.path("ball-9.json")}).exit_code, 0);
+  ASSERT_EQ(run_design({"export", "--device", folder.path("ball-9.json")}).exit_code, 0);
   const auto files = config::FakeFiles::with_device(folder.read("ball-9.json"));
   ASSERT_EQ(files.errors(), "");
   EXPECT_EQ(files.load()->device.name, "ball-9");
@@ -106,7 +107,7 @@ TEST(Export, TheDaemonTakesTheDeviceFile) {
 }
 
 // The daemon places the magnets where the design, and so the printed casing, has them.
-TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
+TEST(Export, TheDaemonAcceptsTheDeviceFileOfAnyDesign) {
   for (const std::vector<std::string>& flags :
        {std::vector<std::string>{"--array", "wD-66"},
         {"--array", "GP(2,2)-116", "--magnet", "5x10", "--shield", "3x10"},
@@ -116,7 +117,7 @@ TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
     const TemporaryFolder folder;
     std::vector<std::string> words{"export", "--device", folder.path("b.json")};
     words.insert(words.end(), flags.begin(), flags.end());
-    const Answer exported = ask(words);
+    const CommandResult exported = run_design(words);
     ASSERT_EQ(exported.exit_code, 0) << exported.err;
     const auto files = config::FakeFiles::with_device(folder.read("b.json"));
     ASSERT_EQ(files.errors(), "") << folder.read("b.json");
@@ -124,7 +125,7 @@ TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
     ASSERT_TRUE(driven.has_value()) << driven.error().message;
     words = {"array", "--json"};
     words.insert(words.end(), flags.begin(), flags.end());
-    const auto drawn = ask(words).json();
+    const auto drawn = run_design(words).json();
     ASSERT_EQ(driven->pins.size(), drawn.at("positions").at("pins").size()) << flags.back();
     EXPECT_EQ(driven->shields.size(), drawn.at("positions").at("shields").size()) << flags.back();
     for (const auto& site : drawn.at("positions").at("pins")) {
@@ -140,65 +141,69 @@ TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
 
 TEST(Export, NoDeviceFileThatTheDaemonWouldRefuse) {
   const TemporaryFolder folder;
-  const Answer answer = ask({"export", "--magnet", "4x6", "--shield", "2x6", "--sphere", "60",
-                             "--device", folder.path("b.json")});
-  EXPECT_EQ(answer.exit_code, kBadData) << answer.out;
-  EXPECT_THAT(answer.err, HasSubstr("0.001 to 0.1 N/A"));
+  const CommandResult result = run_design({"export", "--magnet", "4x6", "--shield", "2x6",
+                                           "--sphere", "60", "--device", folder.path("b.json")});
+  EXPECT_EQ(result.exit_code, kBadData) << result.out;
+  EXPECT_THAT(result.err, HasSubstr("0.001 to 0.1 N/A"));
   EXPECT_FALSE(std::filesystem::exists(folder.path("b.json")));
 }
 
 TEST(Export, NoDeviceFileForAListOfPositions) {
   const TemporaryFolder folder;
-  ASSERT_EQ(ask({"export", "--csv", folder.path("p.csv")}).exit_code, 0);
-  const Answer answer =
-      ask({"export", "--positions", folder.path("p.csv"), "--device", folder.path("b.json")});
-  EXPECT_EQ(answer.exit_code, kBadData);
-  EXPECT_THAT(answer.err, HasSubstr("knows the arrays by name only"));
+  ASSERT_EQ(run_design({"export", "--csv", folder.path("p.csv")}).exit_code, 0);
+  const CommandResult result = run_design(
+      {"export", "--positions", folder.path("p.csv"), "--device", folder.path("b.json")});
+  EXPECT_EQ(result.exit_code, kBadData);
+  EXPECT_THAT(result.err, HasSubstr("knows the arrays by name only"));
   EXPECT_FALSE(std::filesystem::exists(folder.path("b.json")));
-  EXPECT_EQ(ask({"export", "--device", folder.path("a ball.json")}).exit_code, kUsage);
+  EXPECT_EQ(run_design({"export", "--device", folder.path("a ball.json")}).exit_code, kUsage);
 }
 
-TEST(Export, ADashIsTheScreenAndNoFile) {
+TEST(Export, ADashIsStdout) {
   const TemporaryFolder folder;
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(folder.path());
-  const Answer casing = ask({"export", "--array", "cD", "--scad", "-"});
-  const Answer device = ask({"export", "--device", "-"});
-  const bool nothing_written = std::filesystem::is_empty(folder.path());
+  const CommandResult casing = run_design({"export", "--array", "cD", "--scad", "-"});
+  const CommandResult device = run_design({"export", "--device", "-"});
+  const bool folder_is_empty = std::filesystem::is_empty(folder.path());
   std::filesystem::current_path(before);
   EXPECT_EQ(casing.exit_code, 0) << casing.err;
   EXPECT_THAT(casing.out, HasSubstr("pin_diameter = 8;"));
   EXPECT_EQ(device.exit_code, kUsage);
   EXPECT_THAT(device.err, HasSubstr("the file's name is the ball's"));
-  EXPECT_TRUE(nothing_written);
+  EXPECT_TRUE(folder_is_empty);
 }
 
-TEST(Export, PositionsAsFilesOrHere) {
+TEST(Export, PositionsInAFileOrOnTheCommandLine) {
   const TemporaryFolder folder;
-  ASSERT_EQ(
-      ask({"export", "--csv", folder.path("p.csv"), "--json", folder.path("p.json")}).exit_code, 0);
-  EXPECT_EQ(folder.read("p.csv"), ask({"export", "--csv"}).out);
-  EXPECT_EQ(folder.read("p.json"), ask({"export", "--json"}).out);
-  EXPECT_EQ(ask({"stability", "--positions", folder.path("p.csv"), "--json"}).json().at("stable"),
-            true);
+  ASSERT_EQ(run_design({"export", "--csv", folder.path("p.csv"), "--json", folder.path("p.json")})
+                .exit_code,
+            0);
+  EXPECT_EQ(folder.read("p.csv"), run_design({"export", "--csv"}).out);
+  EXPECT_EQ(folder.read("p.json"), run_design({"export", "--json"}).out);
+  EXPECT_EQ(
+      run_design({"stability", "--positions", folder.path("p.csv"), "--json"}).json().at("stable"),
+      true);
   const std::string design = folder.write("best.json", "{\"array\": \"cD\"}");
-  EXPECT_EQ(ask({"export", "--json", design}).exit_code, kUsage);
+  EXPECT_EQ(run_design({"export", "--json", design}).exit_code, kUsage);
   EXPECT_EQ(folder.read("best.json"), "{\"array\": \"cD\"}");
-  EXPECT_EQ(ask({"export", "--fan", "60", "--scad", folder.path("c.scad")}).exit_code, kBadData);
-  EXPECT_EQ(ask({"export", "--facets", "7", "--scad", folder.path("c.scad")}).exit_code, kUsage);
+  EXPECT_EQ(run_design({"export", "--fan", "60", "--scad", folder.path("c.scad")}).exit_code,
+            kBadData);
+  EXPECT_EQ(run_design({"export", "--facets", "7", "--scad", folder.path("c.scad")}).exit_code,
+            kUsage);
 }
 
 TEST(Pictures, HaveLabelledAxesWithUnits) {
   const TemporaryFolder folder;
-  const Answer curves =
-      ask({"curves", "--svg", folder.path("c.svg"), "--png", folder.path("c.png")});
+  const CommandResult curves =
+      run_design({"curves", "--svg", folder.path("c.svg"), "--png", folder.path("c.png")});
   ASSERT_EQ(curves.exit_code, 0) << curves.err << "(gnuplot must be installed: make deps)";
   const std::string svg = folder.read("c.svg");
   for (const char* words : {"offset of the pin (mm)", "force on the pin, outwards (N)",
                             "tkD, 4 mm shields", "(thesis 3.5)", "thesis' rest 0.45 mm"})
     EXPECT_TRUE(svg.find(words) != std::string::npos) << words;
   EXPECT_THAT(folder.read("c.png"), StartsWith("\x89PNG"));
-  ASSERT_EQ(ask({"electromagnet", "--svg", folder.path("e.svg")}).exit_code, 0);
+  ASSERT_EQ(run_design({"electromagnet", "--svg", folder.path("e.svg")}).exit_code, 0);
   EXPECT_THAT(folder.read("e.svg"), HasSubstr("current (A)"));
 }
 
@@ -213,9 +218,9 @@ TEST(Pictures, WordsAreNotCommands) {
 
 TEST(Report, IsOneFile) {
   const TemporaryFolder folder;
-  const Answer answer =
-      ask({"report", "--array", "cD", "--shield", "4.4x10", "--output", folder.path("r.html")});
-  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const CommandResult result = run_design(
+      {"report", "--array", "cD", "--shield", "4.4x10", "--output", folder.path("r.html")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string page = folder.read("r.html");
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, HasSubstr("Every pin rests: all 42 are stable."));
@@ -224,9 +229,10 @@ TEST(Report, IsOneFile) {
   EXPECT_THAT(page, Not(HasSubstr("src=")));
   EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
   // Unstable pins are reported too, without a coil, because nothing holds them against it.
-  ASSERT_EQ(ask({"report", "--array", "cD", "--shield", "3x10", "--output", folder.path("u.html")})
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      run_design({"report", "--array", "cD", "--shield", "3x10", "--output", folder.path("u.html")})
+          .exit_code,
+      0);
   EXPECT_THAT(folder.read("u.html"), HasSubstr("42 pins are unstable: 0-41"));
 }
 

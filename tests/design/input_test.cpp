@@ -40,7 +40,7 @@ TEST(Sizes, RangesHaveSteps) {
     EXPECT_FALSE(parse_range(wrong, 1, 0, 9, "--x").has_value()) << wrong;
 }
 
-TEST(Arrays, AreKnownByName) {
+TEST(Arrays, AreFoundByName) {
   const auto counts = [](const std::string& name) {
     const auto array = find_arrangement(name).value();
     return std::pair(array.pins.size(), array.shields.size());
@@ -54,7 +54,7 @@ TEST(Arrays, AreKnownByName) {
   EXPECT_EQ(counts("GP(2,2)-116"), std::pair(116UL, 230UL));
 }
 
-TEST(Arrays, OpenedHereAsInTheModel) {
+TEST(Arrays, OpeningsAreThoseOfTheModel) {
   // The one opening that the model defines itself, made here from the whole array.
   for (const auto& [name, shields] :
        {std::pair("GP(3,0)-86", 170UL), std::pair("GP(3,0)-86-5", 175UL),
@@ -71,7 +71,7 @@ TEST(Arrays, OpenedHereAsInTheModel) {
   }
 }
 
-TEST(Arrays, UnknownOnesAreGuessed) {
+TEST(Arrays, UnknownNamesGetASuggestion) {
   const auto sentence = [](const std::string& name) {
     return find_arrangement(name).error().message;
   };
@@ -83,7 +83,7 @@ TEST(Arrays, UnknownOnesAreGuessed) {
   EXPECT_EQ(find_arrangement("").error().exit_code, kUsage);
 }
 
-TEST(DesignFile, SaysWhatItHolds) {
+TEST(DesignFile, SetsTheDesign) {
   Design design;
   design.array = "wD-66";
   design.shield = {4.05, 9};
@@ -93,7 +93,7 @@ TEST(DesignFile, SaysWhatItHolds) {
   EXPECT_EQ(parse_design("{}", "x.json").value(), Design());
 }
 
-TEST(DesignFile, ComplaintsNameTheKey) {
+TEST(DesignFile, ErrorsNameTheKey) {
   const auto sentence = [](const std::string& text) {
     const auto design = parse_design(text, "x.json");
     EXPECT_EQ(design.error().exit_code, kBadData);
@@ -111,22 +111,23 @@ TEST(DesignFile, ComplaintsNameTheKey) {
               HasSubstr("removed_pins: must be a list of ids"));
 }
 
-TEST(DesignFile, WhatThereIsNotIsTheFilesMistake) {
+TEST(DesignFile, UnknownValuesAreErrorsOfTheFile) {
   const TemporaryFolder folder;
   for (const char* text : {R"({"array": "nope"})", R"({"removed_pins": [5000]})"}) {
     const std::string file = folder.write("b.json", text);
-    const Answer answer = ask({"stability", file});
-    EXPECT_EQ(answer.exit_code, kBadData) << text;
-    EXPECT_THAT(answer.err, HasSubstr(file)) << text;
+    const CommandResult result = run_design({"stability", file});
+    EXPECT_EQ(result.exit_code, kBadData) << text;
+    EXPECT_THAT(result.err, HasSubstr(file)) << text;
   }
   EXPECT_EQ(parse_design(R"({"removed_pins": [3, 3]})", "x").value().removed_pins,
             std::vector<int>{3});
   // A flag may replace any valid value of the file.
-  EXPECT_EQ(ask({"array", folder.write("c.json", R"({"array": "cD"})"), "--array", "wD"}).exit_code,
+  EXPECT_EQ(run_design({"array", folder.write("c.json", R"({"array": "cD"})"), "--array", "wD"})
+                .exit_code,
             0);
 }
 
-TEST(Positions, GoOutAndComeBack) {
+TEST(Positions, AreWrittenAndReadBack) {
   const auto array = find_arrangement("tkD-86").value();
   const auto again = parse_positions(positions_csv(array, Design().sizes()), "pins.csv").value();
   ASSERT_EQ(again.pins.size(), array.pins.size());
@@ -137,7 +138,7 @@ TEST(Positions, GoOutAndComeBack) {
   }
 }
 
-TEST(Positions, MayStandInAnyOrderAndBehindASpreadsheetsMark) {
+TEST(Positions, MayBeInAnyOrderAndAfterAByteOrderMark) {
   const auto array = find_arrangement("wD-66").value();
   std::istringstream lines(positions_csv(array, Design().sizes()));
   std::string head;
@@ -147,17 +148,17 @@ TEST(Positions, MayStandInAnyOrderAndBehindASpreadsheetsMark) {
   const TemporaryFolder folder;
   const std::string csv = folder.write("turned.csv", "\xEF\xBB\xBF" + head + "\n" + turned);
   for (const int pin : {0, 25}) {
-    const Answer answer =
-        ask({"electromagnet", "--positions", csv, "--pin", std::to_string(pin), "--json"});
-    ASSERT_EQ(answer.exit_code, 0) << answer.err;
-    const Answer usual =
-        ask({"electromagnet", "--array", "wD-66", "--pin", std::to_string(pin), "--json"});
-    EXPECT_EQ(answer.json()["class_size"], usual.json()["class_size"]) << pin;
+    const CommandResult result =
+        run_design({"electromagnet", "--positions", csv, "--pin", std::to_string(pin), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const CommandResult usual =
+        run_design({"electromagnet", "--array", "wD-66", "--pin", std::to_string(pin), "--json"});
+    EXPECT_EQ(result.json()["class_size"], usual.json()["class_size"]) << pin;
   }
-  EXPECT_EQ(ask({"stability", "--positions", csv, "--array", "cD"}).exit_code, kUsage);
+  EXPECT_EQ(run_design({"stability", "--positions", csv, "--array", "cD"}).exit_code, kUsage);
 }
 
-TEST(Positions, ComplaintsNameTheLine) {
+TEST(Positions, ErrorsNameTheLine) {
   const auto sentence = [](const std::string& text) {
     const auto array = parse_positions(text, "p.csv");
     EXPECT_EQ(array.error().exit_code, kBadData) << text;

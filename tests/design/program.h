@@ -14,7 +14,7 @@
 
 namespace hedgehog::design {
 
-struct Answer {
+struct CommandResult {
   int exit_code = -1;
   std::string out;
   std::string err;
@@ -22,7 +22,7 @@ struct Answer {
   nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
-inline Answer ask(const std::vector<std::string>& arguments) {
+inline CommandResult run_design(const std::vector<std::string>& arguments) {
   std::ostringstream out;
   std::ostringstream err;
   const int exit_code = run_command_line(arguments, out, err);

@@ -22,7 +22,7 @@ using testing::StartsWith;
 const std::string kProgram = build_folder() + "/clients/design/hedgehog-design";
 
 /// Runs a command line in a shell, in the folder, with hedgehog-design on the PATH.
-Answer shell(const TemporaryFolder& folder, const std::string& line) {
+CommandResult shell(const TemporaryFolder& folder, const std::string& line) {
   const std::string path = std::filesystem::path(kProgram).parent_path().string();
   folder.write("line.sh", "cd '" + folder.path() + "' || exit 99\nPATH=\"" + path + ":$PATH\"\n" +
                               line + "\n");
@@ -32,14 +32,14 @@ Answer shell(const TemporaryFolder& folder, const std::string& line) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
 }
 
-TEST(Program, AnswersOnStdoutAndComplainsOnStderr) {
+TEST(Program, PrintsResultsOnStdoutAndErrorsOnStderr) {
   const TemporaryFolder folder;
-  const Answer good = shell(
+  const CommandResult good = shell(
       folder, "hedgehog-design pair --magnet 8x10 --other 4x10 --angle 12 --offset 0.5 --json");
   EXPECT_EQ(good.exit_code, 0);
   EXPECT_EQ(good.err, "");
   EXPECT_NEAR(good.json().at("force_n").get<double>(), 5.095441734e-01, 1e-6);
-  const Answer bad = shell(folder, "hedgehog-design stability --array wd");
+  const CommandResult bad = shell(folder, "hedgehog-design stability --array wd");
   EXPECT_EQ(bad.exit_code, kUsage);
   EXPECT_EQ(bad.out, "");
   EXPECT_EQ(bad.err, "hedgehog-design: unknown array 'wd'; did you mean 'wD'?\n");
@@ -48,40 +48,41 @@ TEST(Program, AnswersOnStdoutAndComplainsOnStderr) {
   EXPECT_THAT(shell(folder, "hedgehog-design --version").out, HasSubstr("hedgehog-design "));
 }
 
-TEST(Program, SaysWhichPackageIsMissing) {
+TEST(Program, NamesTheMissingPackage) {
   const TemporaryFolder folder;
   folder.write("small.csv", kSmallBall);
-  const Answer picture =
+  const CommandResult picture =
       shell(folder, "PATH=/nowhere " + kProgram + " curves --array cD --png c.png");
   EXPECT_EQ(picture.exit_code, kUnavailable);
   EXPECT_EQ(picture.err,
             "hedgehog-design: gnuplot is not installed; on Debian: apt install gnuplot-nox\n");
-  const Answer casing =
+  const CommandResult casing =
       shell(folder, "PATH=/nowhere " + kProgram + " export --positions small.csv --stl c");
   EXPECT_EQ(casing.exit_code, kUnavailable);
   EXPECT_THAT(casing.err, HasSubstr("apt install openscad"));
 }
 
-TEST(Program, SaysThatNoTemporaryFileCanBeMade) {
+TEST(Program, ReportsThatNoTemporaryFileCanBeCreated) {
   const TemporaryFolder folder;
   folder.write("small.csv", kSmallBall);
   for (const char* command : {"curves --array cD --png c.png", "report --array cD",
                               "export --positions small.csv --stl c"}) {
-    const Answer answer = shell(folder, "TMPDIR=/nowhere hedgehog-design " + std::string(command));
-    EXPECT_EQ(answer.exit_code, kCannotCreate) << command;
-    EXPECT_THAT(answer.err, HasSubstr("no temporary file can be made")) << command;
+    const CommandResult result =
+        shell(folder, "TMPDIR=/nowhere hedgehog-design " + std::string(command));
+    EXPECT_EQ(result.exit_code, kCannotCreate) << command;
+    EXPECT_THAT(result.err, HasSubstr("no temporary file can be made")) << command;
   }
 }
 
 /// Drops root's permission to write everywhere during its lifetime.
-class AnybodyElse {
+class UnprivilegedUser {
  public:
-  AnybodyElse() {
+  UnprivilegedUser() {
     if (was_root_ && ::seteuid(65534) != 0) ADD_FAILURE();
   }
-  AnybodyElse(const AnybodyElse&) = delete;
-  AnybodyElse& operator=(const AnybodyElse&) = delete;
-  ~AnybodyElse() {
+  UnprivilegedUser(const UnprivilegedUser&) = delete;
+  UnprivilegedUser& operator=(const UnprivilegedUser&) = delete;
+  ~UnprivilegedUser() {
     if (was_root_ && ::seteuid(0) != 0) ADD_FAILURE();
   }
 
@@ -89,19 +90,19 @@ class AnybodyElse {
   bool was_root_ = ::geteuid() == 0;
 };
 
-TEST(Program, AFolderThatTakesNoFilesIsNamed) {
+TEST(Program, AnUnwritableFolderIsNamed) {
   const TemporaryFolder folder;
   const std::string closed = folder.path("closed");
   std::filesystem::create_directory(closed);
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   std::filesystem::permissions(closed, std::filesystem::perms(0555));
   const std::string csv = folder.write("small.csv", kSmallBall);
-  const AnybodyElse nobody;
+  const UnprivilegedUser user;
   const auto refused = [](const std::vector<std::string>& words) {
-    const Answer answer = ask(words);
-    EXPECT_EQ(answer.exit_code, kCannotCreate) << words.front() << answer.out;
-    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-    return answer.err;
+    const CommandResult result = run_design(words);
+    EXPECT_EQ(result.exit_code, kCannotCreate) << words.front() << result.out;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    return result.err;
   };
   const std::string reason = " cannot be written: Permission denied\n";
   for (const auto& [words, file] : std::vector<std::pair<std::vector<std::string>, std::string>>{
@@ -115,9 +116,9 @@ TEST(Program, AFolderThatTakesNoFilesIsNamed) {
            // Reported before the search, not after it.
            {{"choose", "--save"}, "/best.json"},
            {{"choose", "--png"}, "/front.png"}}) {
-    auto whole = words;
-    whole.push_back(closed + file);
-    EXPECT_EQ(refused(whole), "hedgehog-design: " + closed + file + reason);
+    auto command = words;
+    command.push_back(closed + file);
+    EXPECT_EQ(refused(command), "hedgehog-design: " + closed + file + reason);
   }
   EXPECT_THAT(refused({"export", "--positions", csv, "--stl", closed + "/casing"}),
               HasSubstr(closed + "/casing cannot be made: Permission denied"));
@@ -130,12 +131,12 @@ TEST(Program, AFolderThatTakesNoFilesIsNamed) {
 TEST(BadInput, GetsOneClearSentence) {
   const TemporaryFolder folder;
   const auto wrong = [](const std::vector<std::string>& words, int exit_code) {
-    const Answer answer = ask(words);
-    EXPECT_EQ(answer.exit_code, exit_code) << words.front();
-    EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-    EXPECT_THAT(answer.err, StartsWith("hedgehog-design"));
-    return answer.err;
+    const CommandResult result = run_design(words);
+    EXPECT_EQ(result.exit_code, exit_code) << words.front();
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, StartsWith("hedgehog-design"));
+    return result.err;
   };
   EXPECT_THAT(wrong({"stability", "--array", "tkd"}, kUsage), HasSubstr("did you mean 'tkD'?"));
   EXPECT_THAT(wrong({"pair", "--magnet", "-8x10", "--angle", "12"}, kUsage), HasSubstr("--magnet"));
@@ -175,21 +176,21 @@ TEST(BadInput, GetsOneClearSentence) {
   EXPECT_THAT(wrong({"stability", "--aray", "cD"}, kUsage), HasSubstr("'--aray'"));
 }
 
-TEST(Program, AnAnswerThatCannotBeWrittenIsNoSuccess) {
+TEST(Program, AnOutputThatCannotBeWrittenIsAnError) {
   const TemporaryFolder folder;
-  const Answer full = shell(folder, "hedgehog-design pair --angle 12 >/dev/full");
+  const CommandResult full = shell(folder, "hedgehog-design pair --angle 12 >/dev/full");
   EXPECT_EQ(full.exit_code, kCannotCreate);
   EXPECT_EQ(full.err, "hedgehog-design: the answer cannot be written\n");
 }
 
-TEST(Program, WhatIsThereStaysUntilThereIsSomethingBetter) {
+TEST(Program, AnExistingFileStaysUntilItsReplacementIsComplete) {
   const TemporaryFolder folder;
   folder.write("gnuplot", "#!/bin/sh\necho no room >&2\nexit 3\n");
   std::filesystem::permissions(folder.path("gnuplot"), std::filesystem::perms(0755));
   folder.write("good.svg", "a good picture");
-  const Answer failed = shell(folder, "PATH=\"" + folder.path() +
-                                          ":$PATH\" hedgehog-design curves --array cD --svg "
-                                          "good.svg --csv");
+  const CommandResult failed = shell(folder, "PATH=\"" + folder.path() +
+                                                 ":$PATH\" hedgehog-design curves --array cD --svg "
+                                                 "good.svg --csv");
   EXPECT_EQ(failed.exit_code, kToolFailed);
   EXPECT_THAT(failed.err, HasSubstr("gnuplot failed: no room"));
   EXPECT_EQ(folder.read("good.svg"), "a good picture");
@@ -199,23 +200,23 @@ TEST(Program, WhatIsThereStaysUntilThereIsSomethingBetter) {
                                                                  {"export", "--scad"},
                                                                  {"export", "--csv"},
                                                                  {"export", "--device"}}) {
-    auto whole = words;
-    whole.push_back(file);
-    if (words.back() == "--scad") whole.insert(whole.end(), {"--array", "cD"});
-    const Answer refused = ask(whole);
+    auto command = words;
+    command.push_back(file);
+    if (words.back() == "--scad") command.insert(command.end(), {"--array", "cD"});
+    const CommandResult refused = run_design(command);
     EXPECT_EQ(refused.exit_code, kUsage) << words.back();
     EXPECT_THAT(refused.err, HasSubstr("is a design file and is not written over"));
     EXPECT_EQ(folder.read("best.json"), design) << words.back();
   }
 }
 
-TEST(Program, SearchesShowNoBarIntoFiles) {
+TEST(Program, SearchesShowNoProgressBarInAFile) {
   const TemporaryFolder folder;
-  const Answer answer =
+  const CommandResult result =
       shell(folder, "hedgehog-design choose --arrays cD --shields 4.4x10 --spheres 35 --json");
-  EXPECT_EQ(answer.exit_code, 0);
-  EXPECT_EQ(answer.err, "");
-  EXPECT_EQ(answer.json().at("looked_at"), 1);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.json().at("looked_at"), 1);
 }
 
 /// The lines of all ``` blocks of the README and of verbs.md that begin with the program's name.
@@ -243,14 +244,14 @@ TEST(Readme, EveryCommandRuns) {
           << "the search before it saved the ball";
       folder.write("small.csv", kSmallBall);
       folder.write("best.json", R"({"array": "tkD-86", "positions": "small.csv"})");
-      const Answer casing = shell(folder, command);
+      const CommandResult casing = shell(folder, command);
       EXPECT_EQ(casing.exit_code, 0) << command << "\n" << casing.err;
       EXPECT_THAT(casing.err, HasSubstr("casing/lower.stl  closed"));
       folder.write("best.json", R"({"array": "tkD-86"})");
       continue;
     }
-    const Answer answer = shell(folder, command);
-    EXPECT_EQ(answer.exit_code, 0) << command << "\n" << answer.err;
+    const CommandResult result = shell(folder, command);
+    EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
   }
   for (const char* made : {"casing.scad", "my-ball.json", "report.html", "curves.svg", "curves.png",
                            "coil.png", "pins.csv"})

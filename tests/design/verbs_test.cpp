@@ -28,11 +28,11 @@ Json of_class(const Json& classes, int size) {
 
 TEST(Pair, IsTheReferencePair) {
   const auto force = [](const std::string& model) {
-    const Answer answer =
-        ask({"pair", "--magnet", "8x10", "--other", "4x10", "--sphere", "35", "--angle", "12",
-             "--offset", "0.5", "--model", model, "--accuracy", "1e-7", "--json"});
-    EXPECT_EQ(answer.exit_code, 0) << answer.err;
-    return answer.json().at("force_n").get<double>();
+    const CommandResult result =
+        run_design({"pair", "--magnet", "8x10", "--other", "4x10", "--sphere", "35", "--angle",
+                    "12", "--offset", "0.5", "--model", model, "--accuracy", "1e-7", "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.json().at("force_n").get<double>();
   };
   EXPECT_NEAR(force("exact"), 5.095441734e-01, 5e-7);
   EXPECT_NEAR(force("hybrid"), 5.095441734e-01, 5e-7);
@@ -59,11 +59,11 @@ TEST(Pair, AreAllTheReferencePairs) {
            {"6x8", "4x5", "30", "15", "0.5", 3.201178460e-01, 5.53460203e-01},
        }) {
     const auto force = [&](const char* model) {
-      const Answer answer = ask({"pair", "--magnet", one.magnet, "--other", one.other, "--sphere",
-                                 one.sphere, "--angle", one.angle, "--offset", one.offset,
-                                 "--model", model, "--accuracy", "1e-7", "--json"});
-      EXPECT_EQ(answer.exit_code, 0) << answer.err;
-      return answer.json().at("force_n").get<double>();
+      const CommandResult result = run_design(
+          {"pair", "--magnet", one.magnet, "--other", one.other, "--sphere", one.sphere, "--angle",
+           one.angle, "--offset", one.offset, "--model", model, "--accuracy", "1e-7", "--json"});
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      return result.json().at("force_n").get<double>();
     };
     EXPECT_NEAR(force("exact") / one.exact_n, 1.0, 1e-6) << one.angle << " " << one.offset;
     EXPECT_NEAR(force("dipole") / one.dipole_n, 1.0, 1e-6) << one.angle << " " << one.offset;
@@ -72,9 +72,9 @@ TEST(Pair, AreAllTheReferencePairs) {
 
 TEST(Curves, OfEachModelOverOtherOffsets) {
   const auto at_rest_of_sixty = [](const char* model) {
-    const Json curves =
-        ask({"curves", "--array", "tkD", "--model", model, "--offsets", "0..1/0.5", "--json"})
-            .json();
+    const Json curves = run_design({"curves", "--array", "tkD", "--model", model, "--offsets",
+                                    "0..1/0.5", "--json"})
+                            .json();
     EXPECT_EQ(curves.at("model"), model);
     const Json sixty = of_class(curves.at("classes"), 60);
     EXPECT_EQ(sixty.at("offsets_mm"), Json({0.0, 0.5, 1.0}));
@@ -86,7 +86,7 @@ TEST(Curves, OfEachModelOverOtherOffsets) {
   EXPECT_GT(std::abs(at_rest_of_sixty("dipole") - exact_n), 1.0);
 }
 
-TEST(Curves, AreCalledTheThesisOnesOnThatBallOnly) {
+TEST(Curves, AreTitledAsTheThesisOnesForThatBallOnly) {
   const auto drawn = [](const Design& design) {
     const auto studies = figure_210(design).value();
     return gnuplot_script(curves_picture(studies, {-0.5, 2.0, 0.5}), "svg", "x.svg");
@@ -104,7 +104,7 @@ TEST(Curves, AreCalledTheThesisOnesOnThatBallOnly) {
 }
 
 // The labels of the thesis' axis are -2, 0, 2, 4 and 6 N, in all six panels.
-TEST(Curves, OfTheFigureShareTheAxisOfTheThesisUnlessAsked) {
+TEST(Curves, OfTheFigureShareTheAxisOfTheThesisByDefault) {
   const auto count = [](const std::string& script, const std::string& words) {
     std::size_t found = 0;
     for (std::size_t at = script.find(words); at != std::string::npos;
@@ -123,8 +123,9 @@ TEST(Curves, OfTheFigureShareTheAxisOfTheThesisUnlessAsked) {
   EXPECT_EQ(count(script(six, Point{}), "set yrange [*:*]\n"), 6U);
   EXPECT_EQ(count(script({six.front()}, {}), "set yrange [*:*]\n"), 1U);
   for (const char* forces : {"3", "6..-2", "1..1", "1..2/0.5", "all", "1..x"})
-    EXPECT_EQ(ask({"curves", "--array", "cD", "--forces", forces}).exit_code, kUsage) << forces;
-  EXPECT_EQ(ask({"curves", "--array", "cD", "--forces", "-2..6"}).exit_code, 0);
+    EXPECT_EQ(run_design({"curves", "--array", "cD", "--forces", forces}).exit_code, kUsage)
+        << forces;
+  EXPECT_EQ(run_design({"curves", "--array", "cD", "--forces", "-2..6"}).exit_code, 0);
 }
 
 // An axis from -2 N, the lowest label of the thesis' axis, would cut off the curves of tkD.
@@ -144,10 +145,11 @@ TEST(Curves, OfTheFigureAreNotCutOffByItsAxis) {
 }
 
 TEST(Curves, AreThoseOfTheReference) {
-  const Answer answer = ask({"curves", "--array", "tkD", "--magnet", "8x10", "--shield", "4x10",
-                             "--model", "exact", "--accuracy", "1e-6", "--json"});
-  ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  const Json classes = answer.json().at("classes");
+  const CommandResult result =
+      run_design({"curves", "--array", "tkD", "--magnet", "8x10", "--shield", "4x10", "--model",
+                  "exact", "--accuracy", "1e-6", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json classes = result.json().at("classes");
   ASSERT_EQ(classes.size(), 3U);
   const Json sixty = of_class(classes, 60);
   ASSERT_EQ(sixty.at("offsets_mm").size(), 31U);
@@ -162,7 +164,7 @@ TEST(Curves, AreThoseOfTheReference) {
 }
 
 TEST(Curves, AloneAreTheSixPanels) {
-  const Json panels = ask({"curves", "--json"}).json().at("panels");
+  const Json panels = run_design({"curves", "--json"}).json().at("panels");
   ASSERT_EQ(panels.size(), 6U);
   for (const Json& panel : panels) {
     for (const Json& one : panel.at("classes")) {
@@ -173,16 +175,17 @@ TEST(Curves, AloneAreTheSixPanels) {
   EXPECT_TRUE(of_class(panels[1].at("classes"), 30).at("extension_mm").is_null());
 }
 
-TEST(Curves, TakeOtherOffsetsAndFormats) {
-  const Answer csv = ask({"curves", "--array", "cD", "--offsets", "0..1/0.25", "--csv"});
+TEST(Curves, AcceptOtherOffsetsAndFormats) {
+  const CommandResult csv =
+      run_design({"curves", "--array", "cD", "--offsets", "0..1/0.25", "--csv"});
   EXPECT_THAT(csv.out, StartsWith("array,shield,class_size,offset_mm,force_n\ncD,4x10,12,0.0000,"));
   EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 1 + 2 * 5);
-  EXPECT_EQ(ask({"curves", "--offsets", "3"}).exit_code, kUsage);
-  EXPECT_EQ(ask({"curves", "--json", "--csv"}).exit_code, kUsage);
+  EXPECT_EQ(run_design({"curves", "--offsets", "3"}).exit_code, kUsage);
+  EXPECT_EQ(run_design({"curves", "--json", "--csv"}).exit_code, kUsage);
 }
 
-TEST(Table, StandsBesideTheThesis) {
-  const Json rows = ask({"table", "--json"}).json().at("rows");
+TEST(Table, IsPrintedBesideTheThesis) {
+  const Json rows = run_design({"table", "--json"}).json().at("rows");
   ASSERT_EQ(rows.size(), 7U);
   const auto row = [&](const std::string& array, int size) {
     for (const Json& one : rows)
@@ -204,14 +207,14 @@ TEST(Table, StandsBesideTheThesis) {
   EXPECT_THAT(row("cD", 30).at("reason").get<std::string>(), HasSubstr("0.377 N at most"));
   EXPECT_EQ(row("wD", 60).at("reproduced"), false);
   EXPECT_EQ(row("wD", 12).at("reproduced"), true);
-  EXPECT_THAT(ask({"table"}).out, HasSubstr("not reproduced"));
+  EXPECT_THAT(run_design({"table"}).out, HasSubstr("not reproduced"));
   // For other magnets the thesis has no values to compare with.
-  EXPECT_TRUE(ask({"table", "--array", "cD", "--shield", "4.5x10", "--json"})
+  EXPECT_TRUE(run_design({"table", "--array", "cD", "--shield", "4.5x10", "--json"})
                   .json()["rows"][0]["thesis_mm"]
                   .is_null());
   for (const auto& words : {std::vector<std::string>{"table", "--remanence", "1.2", "--json"},
                             {"table", "--model", "dipole", "--json"}}) {
-    const Json table = ask(words).json();
+    const Json table = run_design(words).json();
     for (const Json& one : table.at("rows")) {
       EXPECT_TRUE(one.at("thesis_mm").is_null()) << words[1];
       EXPECT_EQ(one.at("reason"), "") << words[1];
@@ -219,16 +222,16 @@ TEST(Table, StandsBesideTheThesis) {
   }
 }
 
-TEST(Csv, HasOneNameAColumn) {
-  EXPECT_THAT(ask({"pair", "--angle", "12", "--csv"}).out,
+TEST(Csv, HasOneNamePerColumn) {
+  EXPECT_THAT(run_design({"pair", "--angle", "12", "--csv"}).out,
               StartsWith("model,force_n,error_n\nexact,0.2814"));
-  EXPECT_THAT(ask({"stability", "--array", "cD", "--csv"}).out,
+  EXPECT_THAT(run_design({"stability", "--array", "cD", "--csv"}).out,
               StartsWith("class_size,rest_mm,stiffness_n_mm,held_n,extension_mm,state,pins\n12,"));
-  EXPECT_THAT(
-      ask({"choose", "--arrays", "tkD", "tkD", "--shields", "4x10", "--spheres", "35", "--csv"})
-          .out,
-      AllOf(StartsWith("array,pins,magnet,shield,sphere_mm,outer_diameter_mm,coil_force_n,"
-                       "rest_mm,extension_mm,wall_mm,mass_kg\ntkD-86,86,8x10,4x10,35,")));
+  EXPECT_THAT(run_design({"choose", "--arrays", "tkD", "tkD", "--shields", "4x10", "--spheres",
+                          "35", "--csv"})
+                  .out,
+              AllOf(StartsWith("array,pins,magnet,shield,sphere_mm,outer_diameter_mm,coil_force_n,"
+                               "rest_mm,extension_mm,wall_mm,mass_kg\ntkD-86,86,8x10,4x10,35,")));
 }
 
 }  // namespace

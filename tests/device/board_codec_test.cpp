@@ -144,7 +144,7 @@ TEST(BoardCodec, DecodesTelemetryIntoUnits) {
 
 // A board of protocol 1.0 sends nothing in byte 45: it measures a current only while it drives the
 // winding.
-TEST(BoardCodec, ABoardOfTheFirstVersionKnowsLeast) {
+TEST(BoardCodec, ABoardOfTheFirstVersionReportsTheFewestFields) {
   board::TelemetryFrame values;
   values.duty_q15[1] = -100;
   values.sensor_cc = 3000;
@@ -158,7 +158,7 @@ TEST(BoardCodec, ABoardOfTheFirstVersionKnowsLeast) {
   EXPECT_FALSE(telemetry.supply_current_known);
 }
 
-TEST(BoardCodec, ABoardSaysWhatItMeasures) {
+TEST(BoardCodec, ABoardReportsWhatItMeasures) {
   board::TelemetryFrame values;
   values.currents_measured = 5;
   values.thermistors = 3;
@@ -185,7 +185,7 @@ TEST(BoardCodec, ABoardSaysWhatItMeasures) {
   EXPECT_EQ(thermistor_on(telemetry, 2).state, ThermistorState::kOpen);
 }
 
-TEST(BoardCodec, ABoardSaysItsMinorVersionFrom12On) {
+TEST(BoardCodec, ABoardReportsItsMinorVersionFrom12On) {
   board::TelemetryFrame values = sample_telemetry();
   values.minor = 2;
   Frame frame;
@@ -199,7 +199,7 @@ TEST(BoardCodec, ABoardSaysItsMinorVersionFrom12On) {
   EXPECT_EQ(decode_telemetry(frame).telemetry.protocol_minor, board::kProtocolMinor);
 }
 
-TEST(BoardCodec, AModeFromTheFutureIsNotOneThatDrives) {
+TEST(BoardCodec, AnUnknownModeDoesNotDrive) {
   board::TelemetryFrame values = sample_telemetry();
   values.mode = 4;
   Frame frame;
@@ -219,7 +219,7 @@ TEST(BoardCodec, FindsEverySingleByteCorruption) {
   }
 }
 
-TEST(BoardCodec, SaysWhyAFrameIsRefused) {
+TEST(BoardCodec, ReportsWhyAFrameIsRefused) {
   Frame frame;
   board::write_frame(sample_telemetry(), frame.data());
   EXPECT_EQ(decode_telemetry(std::span(frame).first(63)).error, board::FrameError::kLength);
@@ -241,7 +241,7 @@ TEST(BoardCodec, SaysWhyAFrameIsRefused) {
   EXPECT_EQ(decode_telemetry(broken).error, board::FrameError::kCrc);
 }
 
-TEST(BoardCodec, ALimitThatIsNoNumberIsTheTightest) {
+TEST(BoardCodec, AnInvalidLimitBecomesTheTightest) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Frame frame = encode_limits({nan, nan, nan}, 1);
   const board::LimitsFrame values = board::read_limits(frame.data());
@@ -250,7 +250,7 @@ TEST(BoardCodec, ALimitThatIsNoNumberIsTheTightest) {
   EXPECT_EQ(values.heat_permille, 0);
 }
 
-RC_GTEST_PROP(BoardCodec, SimulatorSettingsComeBackAsTheyWere,
+RC_GTEST_PROP(BoardCodec, SimulatorSettingsAreDecodedUnchanged,
               (std::int16_t ambient_cc, std::uint16_t faults)) {
   SimulatorSettings settings;
   settings.ambient_c = ambient_cc / 100.0;

@@ -17,7 +17,7 @@ TEST(Arming, SetPointsAloneNeverDriveAfterPowerUp) {
 TEST(Arming, AnArmFrameMakesItReadyAndTheNextSetPointDrives) {
   CoreBench bench;
   bench.feed();
-  bench.ask_to_arm();
+  bench.request_arm();
   bench.step();
   EXPECT_EQ(bench.core.mode(), Mode::kReady);
   EXPECT_FALSE(bench.drives()) << "a set-point from before the arming must not drive";
@@ -28,15 +28,15 @@ TEST(Arming, AnArmFrameMakesItReadyAndTheNextSetPointDrives) {
   EXPECT_EQ(bench.telemetry().arm_count, 1);
 }
 
-TEST(Arming, WithoutSetPointsThatArriveItIsRefused) {
+TEST(Arming, IsRefusedWithoutSetPoints) {
   CoreBench bench;
   bench.feeding = false;
-  bench.ask_to_arm();
+  bench.request_arm();
   bench.run(1);
   EXPECT_EQ(bench.core.mode(), Mode::kSafe);
   bench.feed();
   bench.run(100);
-  bench.ask_to_arm();
+  bench.request_arm();
   bench.run(1);
   EXPECT_EQ(bench.core.mode(), Mode::kSafe);
 }
@@ -58,14 +58,14 @@ TEST(Arming, TheSameCountArmsOnlyOnce) {
   EXPECT_TRUE(bench.drives());
 }
 
-TEST(Arming, IsRefusedWhileTheFaultIsStillThere) {
+TEST(Arming, IsRefusedWhileTheFaultPersists) {
   CoreBench bench;
   bench.arm_and_drive();
   bench.inputs.thermistor[0].open = true;
   bench.run(kSensorBrokenMs);
   ASSERT_TRUE(bench.latched_by(kSensorOpen));
   bench.feed();
-  bench.ask_to_arm();
+  bench.request_arm();
   bench.step();
   EXPECT_TRUE(bench.latched_by(kSensorOpen)) << "not armed for a single millisecond";
   EXPECT_EQ(bench.telemetry().arm_count, bench.arm_count) << "refused, but answered";
@@ -77,7 +77,7 @@ TEST(Arming, IsRefusedWhileTheFaultIsStillThere) {
   EXPECT_EQ(bench.core.faults(), 0);
 }
 
-TEST(Arming, EnableIsApartFromTheSetPoint) {
+TEST(Arming, EnableIsSeparateFromTheSetPoint) {
   CoreBench bench;
   bench.arm_and_drive();
   bench.set_point.enable = false;
@@ -97,7 +97,7 @@ TEST(Arming, TheLowestDutyIsAsFarAsTheHighest) {
   EXPECT_EQ(bench.outputs.duty_q15[1], -INT16_MAX);
 }
 
-TEST(Telemetry, SaysWhatTheBridgesDidAndWhatTheyWillDo) {
+TEST(Telemetry, ReportsTheLastAndTheNextStateOfTheBridges) {
   CoreBench bench;
   bench.arm_and_drive();
   TelemetryFrame telemetry = bench.telemetry();

@@ -43,7 +43,7 @@ TEST_F(Boost, LastsOneMillisecond) {
   expect_held();
 }
 
-TEST_F(Boost, TelemetryTellsTheDutyThatWasApplied) {
+TEST_F(Boost, TelemetryReportsTheAppliedDuty) {
   bench.feed();
   bench.step();
   bench.step();
@@ -82,7 +82,7 @@ TEST_F(Boost, TheLastOfTwoFramesInAMillisecondCounts) {
   EXPECT_EQ(bench.outputs.duty_q15[0], 9000) << "boosts do not add up";
 }
 
-TEST_F(Boost, TogetherTheyStayWithinTheBridge) {
+TEST_F(Boost, TheSumStaysWithinTheBridge) {
   bench.set_point.duty_q15[0] = 30000;
   bench.set_point.boost_q15[0] = 32767;
   bench.set_point.duty_q15[1] = -30000;
@@ -96,7 +96,7 @@ TEST_F(Boost, TogetherTheyStayWithinTheBridge) {
   EXPECT_EQ(bench.outputs.duty_q15[2], 0);
 }
 
-TEST_F(Boost, IsNothingWithoutEnable) {
+TEST_F(Boost, HasNoEffectWithoutEnable) {
   bench.set_point.enable = false;
   bench.feed();
   bench.step();
@@ -114,7 +114,7 @@ TEST_F(Boost, DoesNotOutliveALatch) {
   EXPECT_FALSE(bench.drives());
   // Armed together with a boosted set-point: neither that set-point nor its boost drives.
   bench.feed();
-  bench.ask_to_arm();
+  bench.request_arm();
   bench.step();
   EXPECT_EQ(bench.core.mode(), Mode::kReady);
   EXPECT_FALSE(bench.drives());

@@ -31,7 +31,7 @@ TEST(BootLoader, IsEnteredByALatchedBoardAndWithoutSetPoints) {
   EXPECT_FALSE(bench.drives());
 }
 
-TEST(BootLoader, IsRefusedByABoardThatDrivesAndDrivesOn) {
+TEST(BootLoader, IsRefusedByADrivingBoardWhichContinues) {
   CoreBench bench;
   bench.arm_and_drive();
   bench.run(100);
@@ -49,7 +49,7 @@ TEST(BootLoader, IsRefusedByABoardThatDrivesAndDrivesOn) {
 }
 
 // There is no frame for disarming: a host that has disarmed puts the bridges to sleep.
-TEST(BootLoader, IsEnteredByAReadyBoardOnceItsBridgesHaveSleptForLong) {
+TEST(BootLoader, IsEnteredByAReadyBoardAfterItsBridgesHaveSlept) {
   CoreBench bench;
   bench.arm_and_drive();
   bench.set_point.enable = false;
@@ -77,13 +77,13 @@ TEST(BootLoader, IsNotEnteredInAMillisecondThatDrives) {
   EXPECT_FALSE(bench.core.boot_loader_due());
 }
 
-TEST(BootLoader, WantsItsKey) {
+TEST(BootLoader, RequiresItsKey) {
   CoreBench bench;
   std::array<std::uint8_t, kFrameSize> frame;
-  BootLoaderFrame asked;
-  asked.sequence = 1;
-  asked.key = 0;
-  write_frame(asked, frame.data());
+  BootLoaderFrame request;
+  request.sequence = 1;
+  request.key = 0;
+  write_frame(request, frame.data());
   bench.feeding = false;
   bench.run(kBootLoaderMs);
   bench.core.receive(frame.data(), frame.size());

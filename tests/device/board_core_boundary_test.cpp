@@ -43,7 +43,7 @@ TEST(BoardCoreBoundary, HalfAnAmpereMoreThanTheDutyDrivesMayFlow) {
   EXPECT_EQ(bench.latched_after_ms(kUnexpectedCurrent), 5);
 }
 
-TEST(BoardCoreBoundary, WhatWasDrivenMayDieAwayByAFifthEachMillisecondAndNoSlower) {
+TEST(BoardCoreBoundary, AfterADriveTheAllowedCurrentFallsByAFifthPerMillisecond) {
   for (int followed_ms = 0; followed_ms < 60; ++followed_ms) {
     FullDuty bench;
     bench.set_point.duty_q15[0] = 0;
@@ -72,7 +72,7 @@ TEST(BoardCoreBoundary, ADutyThatRisesMayDriveAtOnce) {
   EXPECT_EQ(bench.latched_after_ms(kUnexpectedCurrent), 0);
 }
 
-TEST(BoardCoreBoundary, TheSupplyGivesAnEighthAndAnAmpereAndAHalfMoreThanTheWindingsCarry) {
+TEST(BoardCoreBoundary, TheSupplyMayExceedTheWindingsByAnEighthAndAnAmpereAndAHalf) {
   FullDuty bench;
   bench.inputs.supply_current_measured = true;
   bench.flow(8000);
@@ -86,7 +86,7 @@ TEST(BoardCoreBoundary, TheSupplyGivesAnEighthAndAnAmpereAndAHalfMoreThanTheWind
   EXPECT_EQ(bench.latched_after_ms(kUnexpectedCurrent), 20);
 }
 
-TEST(BoardCoreBoundary, WhatWindingsGiveBackIsNoCreditForTheSupply) {
+TEST(BoardCoreBoundary, RegeneratedCurrentIsNoCreditForTheSupply) {
   FullDuty bench;
   bench.inputs.supply_current_measured = true;
   bench.flow(-8000);
@@ -96,7 +96,7 @@ TEST(BoardCoreBoundary, WhatWindingsGiveBackIsNoCreditForTheSupply) {
   EXPECT_EQ(bench.latched_after_ms(kUnexpectedCurrent), 20);
 }
 
-TEST(BoardCoreBoundary, ASupplyCurrentThatIsNotMeasuredSaysNothing) {
+TEST(BoardCoreBoundary, AnUnmeasuredSupplyCurrentIsNotChecked) {
   FullDuty bench;
   bench.inputs.supply_ma = 60'000;
   EXPECT_EQ(bench.latched_after_ms(kUnexpectedCurrent), 0);
@@ -141,7 +141,7 @@ TEST(BoardCoreBoundary, TheFirstMillisecondAfterPowerUpCountsAsOne) {
 
 // -- I^2 t ---------------------------------------------------------------------------------------
 
-TEST(BoardCoreBoundary, OfAWindingTheBudgetIsItsOwn) {
+TEST(BoardCoreBoundary, TheBudgetOfAWindingIsItsOwn) {
   BoardLimits limits = no_other_limits();
   limits.winding_a2s = 10;  // 100 A^2 s in a second, minus the leak
   FullDuty bench(limits);
@@ -151,7 +151,7 @@ TEST(BoardCoreBoundary, OfAWindingTheBudgetIsItsOwn) {
   EXPECT_EQ(bench.telemetry().device_heat_permille, 0);
 }
 
-TEST(BoardCoreBoundary, OfTheDeviceTheBudgetIsTheSumOfTheThree) {
+TEST(BoardCoreBoundary, TheBudgetOfTheDeviceIsTheSumOfTheThree) {
   BoardLimits limits = no_other_limits();
   limits.device_a2s = 10;
   FullDuty bench(limits);
@@ -164,7 +164,7 @@ TEST(BoardCoreBoundary, OfTheDeviceTheBudgetIsTheSumOfTheThree) {
   EXPECT_EQ(bench.telemetry().device_heat_permille, 1004);
 }
 
-TEST(BoardCoreBoundary, BothBudgetsTightenByTheShareOfThoseAsBuilt) {
+TEST(BoardCoreBoundary, BothBudgetsTightenByTheShareOfTheBuiltInOnes) {
   CoreBench bench;
   const BoardLimits built;
   bench.send(LimitsFrame{0, INT16_MAX, UINT16_MAX, 1001});
@@ -192,13 +192,13 @@ struct Blind : FullDuty {
   }
 };
 
-TEST(BoardCoreBoundary, BlindForTwentyFiveMillisecondsIsABrokenSensorWhicheverWayItIsDriven) {
+TEST(BoardCoreBoundary, UnmeasuredForTwentyFiveMillisecondsIsABrokenSensorInBothDirections) {
   EXPECT_EQ(Blind(2622).latched_after_ms(kCurrentSense), 25);
   EXPECT_EQ(Blind(-2622).latched_after_ms(kCurrentSense), 26) << "the first is a turn";
   EXPECT_EQ(Blind(2621).latched_after_ms(kCurrentSense), 0) << "two amperes may show nothing";
 }
 
-TEST(BoardCoreBoundary, ATurnEitherWayBeginsTheBlindTimeAnew) {
+TEST(BoardCoreBoundary, AReversalRestartsTheUnmeasuredTime) {
   for (const int way : {1, -1}) {
     const auto duty = static_cast<std::int16_t>(8000 * way);
     Blind bench(duty);
@@ -210,7 +210,7 @@ TEST(BoardCoreBoundary, ATurnEitherWayBeginsTheBlindTimeAnew) {
   }
 }
 
-TEST(BoardCoreBoundary, OneMeasurementBeginsTheBlindTimeAnew) {
+TEST(BoardCoreBoundary, OneMeasurementRestartsTheUnmeasuredTime) {
   Blind bench(8000);
   bench.run(24);
   bench.inputs.currents_measured = 7;

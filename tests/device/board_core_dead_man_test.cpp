@@ -18,7 +18,7 @@ struct DeadMan : testing::Test {
   // The set-point of `arm_and_drive` was accepted in the last step, so its age is 0 now.
 };
 
-TEST_F(DeadMan, NinetyNineMillisecondsOfSilenceAreFine) {
+TEST_F(DeadMan, NinetyNineMillisecondsOfSilenceAreTolerated) {
   bench.run(99);
   EXPECT_TRUE(bench.drives());
   EXPECT_EQ(bench.core.mode(), Mode::kDriving);
@@ -30,7 +30,7 @@ TEST_F(DeadMan, InTheHundredthItIsSafeAndLatchedWithTheFanFull) {
   EXPECT_TRUE(bench.latched_by(kDeadMan));
 }
 
-TEST_F(DeadMan, ASetPointJustInTimeStartsTheCountAnew) {
+TEST_F(DeadMan, ASetPointInTimeRestartsTheCount) {
   bench.run(98);
   bench.feed();
   bench.run(1);
@@ -66,7 +66,7 @@ TEST_F(DeadMan, ArmedButIdleItLatchesAsWell) {
 
 TEST_F(DeadMan, ArmFramesDoNotFeed) {
   for (int ms = 0; ms < 100; ++ms) {
-    bench.ask_to_arm();
+    bench.request_arm();
     bench.step();
   }
   EXPECT_TRUE(bench.latched_by(kDeadMan));

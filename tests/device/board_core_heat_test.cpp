@@ -16,7 +16,7 @@ constexpr int kHour = 3'600'000;
 
 // Milliseconds of `current_ma` in each of `windings` until the budget is spent; -1: not within 90
 // minutes.
-int lasts_ms(std::int16_t current_ma, int windings) {
+int budget_ms(std::int16_t current_ma, int windings) {
   HeatBudget winding(kWindingTauShift);
   HeatBudget device(kDeviceTauShift);
   const auto squared = static_cast<std::uint32_t>(current_ma * current_ma);
@@ -29,18 +29,18 @@ int lasts_ms(std::int16_t current_ma, int windings) {
   return -1;
 }
 
-TEST(BoardHeat, FiveAmperesLastForEver) { EXPECT_EQ(lasts_ms(5000, 1), -1); }
+TEST(BoardHeat, FiveAmperesAreAllowedForEver) { EXPECT_EQ(budget_ms(5000, 1), -1); }
 
 TEST(BoardHeat, FifteenAmperesAlongOneWindingEndAfter52Seconds) {
   // -tau ln(1 - Q / (225 tau)) with tau = 131.072 s and Q = 9640 A^2 s.
-  EXPECT_NEAR(lasts_ms(15000, 1), 51900, 150);
+  EXPECT_NEAR(budget_ms(15000, 1), 51900, 150);
 }
 
 TEST(BoardHeat, EightAmperesInEachOfThreeWindingsEndByTheSumOfTheDevice) {
   const double tau_s = 524.288;
   const double squared = 3.0 * 64.0;
   const double expected_ms = -1000.0 * tau_s * std::log(1.0 - 30700.0 / (squared * tau_s));
-  EXPECT_NEAR(lasts_ms(8000, 3), expected_ms, 500);
+  EXPECT_NEAR(budget_ms(8000, 3), expected_ms, 500);
 }
 
 TEST(BoardHeat, LatchesTheCoreAndCoolsDownBeforeItCanBeArmed) {
@@ -79,7 +79,7 @@ double fullest_budget(const model::Vec3& shares, double stronger, double ambient
                            HeatBudget(kWindingTauShift)};
   HeatBudget device(kDeviceTauShift);
   const BoardLimits board;
-  std::uint16_t most = 0;
+  std::uint16_t max_share = 0;
   for (int step = 0; step < kHour * 3 / 2 / 100; ++step) {
     const double allowed =
         model::allowed_current(limits, model::Celsius(plant.hottest_winding_c())).value;
@@ -89,10 +89,11 @@ double fullest_budget(const model::Vec3& shares, double stronger, double ambient
       for (int k = 0; k < 3; ++k) winding[k].step(static_cast<std::uint32_t>(1e6 * squares[k]));
       device.step(static_cast<std::uint32_t>(1e6 * allowed * allowed));
     }
-    for (const HeatBudget& one : winding) most = std::max(most, one.permille(board.winding_a2s));
-    most = std::max(most, device.permille(board.device_a2s));
+    for (const HeatBudget& one : winding)
+      max_share = std::max(max_share, one.permille(board.winding_a2s));
+    max_share = std::max(max_share, device.permille(board.device_a2s));
   }
-  return most / 1000.0;
+  return max_share / 1000.0;
 }
 
 TEST(BoardHeat, ToleratesWhatTheLimiterAllowsOnBallsTwentyPercentStronger) {

@@ -10,7 +10,7 @@
 namespace hedgehog::board {
 namespace {
 
-enum class Act : std::uint8_t {
+enum class Action : std::uint8_t {
   kFeed,
   kFeedDisabled,
   kArm,
@@ -28,56 +28,56 @@ struct Play {
   CoreBench bench;
   bool fresh_set_point = false;
   bool arm_with_new_count = false;
-  int unfed_ms = 1'000'000;
+  int since_set_point_ms = 1'000'000;
   bool latched = false;
 
-  void act(Act what, std::uint32_t noise) {
+  void act(Action what, std::uint32_t noise) {
     std::array<std::uint8_t, kFrameSize> frame{};
     switch (what) {
-      case Act::kFeed:
-      case Act::kFeedDisabled:
-        bench.set_point.enable = what == Act::kFeed;
+      case Action::kFeed:
+      case Action::kFeedDisabled:
+        bench.set_point.enable = what == Action::kFeed;
         bench.set_point.duty_q15[noise % 3] = static_cast<std::int16_t>(noise);
         bench.feed();
         fresh_set_point = true;
         break;
-      case Act::kArm:
-        bench.ask_to_arm();
+      case Action::kArm:
+        bench.request_arm();
         arm_with_new_count = true;
         break;
-      case Act::kRepeat:
-      case Act::kOld:
-        bench.set_point.sequence = bench.sequence - (what == Act::kOld ? noise % 1000 : 0);
+      case Action::kRepeat:
+      case Action::kOld:
+        bench.set_point.sequence = bench.sequence - (what == Action::kOld ? noise % 1000 : 0);
         write_frame(bench.set_point, frame.data());
         // Before the first set-point any sequence number is valid.
         if (bench.sequence == 0) break;
         bench.core.receive(frame.data(), frame.size());
         break;
-      case Act::kGarbage:
+      case Action::kGarbage:
         for (std::uint8_t& byte : frame)
           byte = static_cast<std::uint8_t>(noise = noise * 69069 + 1);
         bench.core.receive(frame.data(), noise % (kFrameSize + 1));
         break;
-      case Act::kFlipped:
+      case Action::kFlipped:
         bench.set_point.sequence = bench.sequence + 1;
         write_frame(bench.set_point, frame.data());
         frame[noise % kFrameSize] ^= static_cast<std::uint8_t>(1u << (noise >> 8) % 8);
         bench.core.receive(frame.data(), frame.size());
         break;
-      case Act::kLimits:
+      case Action::kLimits:
         bench.send(LimitsFrame{0, 7000, 16000, 900});
         break;
-      case Act::kFault:
+      case Action::kFault:
         bench.inputs.bridge_faults ^= 1;
         break;
-      case Act::kNothing:
-      case Act::kSilence:
+      case Action::kNothing:
+      case Action::kSilence:
         break;
     }
   }
 
   void step() {
-    unfed_ms = fresh_set_point ? 0 : unfed_ms + 1;
+    since_set_point_ms = fresh_set_point ? 0 : since_set_point_ms + 1;
     const bool was_latched = bench.core.mode() == Mode::kLatched;
     bench.step();
     latched = was_latched && !arm_with_new_count;
@@ -85,30 +85,30 @@ struct Play {
   }
 };
 
-RC_GTEST_PROP(BoardCoreLaws, NeverDrivesUnfedNorOutOfALatchNorHalfAsleep, ()) {
-  const auto acts = *rc::gen::container<std::vector<std::pair<Act, std::uint32_t>>>(
-      rc::gen::pair(rc::gen::weightedElement<Act>({{12, Act::kFeed},
-                                                   {2, Act::kFeedDisabled},
-                                                   {4, Act::kArm},
-                                                   {2, Act::kRepeat},
-                                                   {2, Act::kOld},
-                                                   {2, Act::kGarbage},
-                                                   {2, Act::kFlipped},
-                                                   {1, Act::kLimits},
-                                                   {4, Act::kNothing},
-                                                   {2, Act::kSilence},
-                                                   {1, Act::kFault}}),
+RC_GTEST_PROP(BoardCoreLaws, NeverDrivesWithoutSetPointsOrLatchedOrPartlyAsleep, ()) {
+  const auto actions = *rc::gen::container<std::vector<std::pair<Action, std::uint32_t>>>(
+      rc::gen::pair(rc::gen::weightedElement<Action>({{12, Action::kFeed},
+                                                      {2, Action::kFeedDisabled},
+                                                      {4, Action::kArm},
+                                                      {2, Action::kRepeat},
+                                                      {2, Action::kOld},
+                                                      {2, Action::kGarbage},
+                                                      {2, Action::kFlipped},
+                                                      {1, Action::kLimits},
+                                                      {4, Action::kNothing},
+                                                      {2, Action::kSilence},
+                                                      {1, Action::kFault}}),
                     rc::gen::arbitrary<std::uint32_t>()));
   Play play;
   bool drove = false;
-  for (const auto& [what, noise] : acts) {
+  for (const auto& [what, noise] : actions) {
     play.act(what, noise);
-    const int ms = what == Act::kSilence ? static_cast<int>(noise % 250) : 1;
+    const int ms = what == Action::kSilence ? static_cast<int>(noise % 250) : 1;
     for (int i = 0; i < ms; ++i) {
       play.step();
       const CoreBench& bench = play.bench;
       drove |= bench.drives();
-      if (play.unfed_ms >= 100) RC_ASSERT(!bench.drives());
+      if (play.since_set_point_ms >= 100) RC_ASSERT(!bench.drives());
       if (play.latched) RC_ASSERT(!bench.drives());
       if (bench.core.mode() == Mode::kLatched) RC_ASSERT(bench.outputs.fan == 255);
       RC_ASSERT((bench.core.faults() != 0) == (bench.core.mode() == Mode::kLatched));

@@ -41,7 +41,7 @@ TEST_F(Limit, ExactlyTheLimitMayFlow) {
   EXPECT_TRUE(bench.drives());
 }
 
-TEST_F(Limit, AGapInTheOverCurrentStartsTheCountAnew) {
+TEST_F(Limit, AGapInTheOverCurrentRestartsTheCount) {
   for (int burst = 0; burst < 3; ++burst) {
     bench.inputs.current_ma[0] = 20000;
     bench.run(49);
@@ -110,7 +110,7 @@ TEST_F(Limit, TheSupplyMustBeInTheBridgesRange) {
   EXPECT_TRUE(low.latched_by(kSupply));
 }
 
-TEST_F(Limit, ANamedFaultIsKeptBesideTheDeadMan) {
+TEST_F(Limit, ANamedFaultIsReportedBesideTheDeadMan) {
   bench.inputs.thermistor[0].shorted = true;
   bench.run(20);
   bench.inputs.thermistor[0].shorted = false;

@@ -17,7 +17,7 @@ CoreBench with_thermistors(std::uint8_t count) {
   return bench;
 }
 
-TEST(BoardCoreThermistors, EachWiredOneIsWatchedAndNoOther) {
+TEST(BoardCoreThermistors, OnlyWiredOnesAreChecked) {
   for (int count = 1; count <= kWindings; ++count) {
     CoreBench bench = with_thermistors(static_cast<std::uint8_t>(count));
     bench.arm_and_drive();
@@ -62,21 +62,21 @@ TEST(BoardCoreThermistors, WithoutAHostTheFanRunsFromFortyDegreesOfAnyWiredOne) 
   }
 }
 
-TEST(BoardCoreThermistors, TheOnesAfterTheFirstAreToldInTurnTwoFramesEach) {
+TEST(BoardCoreThermistors, ThoseAfterTheFirstAreReportedInTurnTwoFramesEach) {
   CoreBench bench = with_thermistors(3);
   for (int k = 0; k < kWindings; ++k)
     bench.inputs.thermistor[k].cc = static_cast<std::int16_t>(2000 + k);
   for (int ms = 1; ms <= 40; ++ms) {
     bench.run(1);
-    const TelemetryFrame told = bench.telemetry();
-    EXPECT_EQ(told.thermistors, 3);
-    EXPECT_EQ(told.sensor_cc, 2000);
-    EXPECT_EQ(told.other_thermistor, 1 + ms / 2 % 2);
-    EXPECT_EQ(told.other_cc, 2000 + told.other_thermistor);
+    const TelemetryFrame telemetry = bench.telemetry();
+    EXPECT_EQ(telemetry.thermistors, 3);
+    EXPECT_EQ(telemetry.sensor_cc, 2000);
+    EXPECT_EQ(telemetry.other_thermistor, 1 + ms / 2 % 2);
+    EXPECT_EQ(telemetry.other_cc, 2000 + telemetry.other_thermistor);
   }
 }
 
-TEST(BoardCoreThermistors, TheSecondOfTwoIsToldInEachFrame) {
+TEST(BoardCoreThermistors, TheSecondOfTwoIsReportedInEachFrame) {
   CoreBench bench = with_thermistors(2);
   bench.inputs.thermistor[1].cc = 3100;
   for (int ms = 0; ms < 10; ++ms) {
@@ -92,7 +92,7 @@ TEST(BoardCoreThermistors, TheSecondOfTwoIsToldInEachFrame) {
   EXPECT_EQ(bench.telemetry().other_cc, kShortCc);
 }
 
-TEST(BoardCoreThermistors, OfOneNoOtherIsTold) {
+TEST(BoardCoreThermistors, WithOneNoOtherIsReported) {
   CoreBench bench = with_thermistors(1);
   bench.run(3);
   EXPECT_EQ(bench.telemetry().thermistors, 1);
@@ -109,7 +109,7 @@ TEST(BoardCoreThermistors, ConversionsAreCounted) {
 
 // -- other telemetry ------------------------------------------------------------------------------
 
-TEST(BoardCoreTelemetry, PassesOnWhatWasMeasured) {
+TEST(BoardCoreTelemetry, HasTheMeasuredValues) {
   CoreBench bench;
   bench.inputs.supply_mv = 11'987;
   bench.inputs.currents_measured = 5;
@@ -119,20 +119,20 @@ TEST(BoardCoreTelemetry, PassesOnWhatWasMeasured) {
   bench.inputs.fan_rpm = 4321;
   bench.set_point.fan = 77;
   bench.arm_and_drive();
-  const TelemetryFrame told = bench.telemetry();
-  EXPECT_EQ(told.supply_mv, 11'987);
-  EXPECT_EQ(told.currents_measured, 5);
-  EXPECT_TRUE(told.currents_in_line);
-  EXPECT_TRUE(told.supply_current_measured);
-  EXPECT_EQ(told.supply_ma, 321);
-  EXPECT_EQ(told.fan_rpm, 4321);
-  EXPECT_EQ(told.fan, 77);
-  EXPECT_EQ(told.mode, static_cast<std::uint8_t>(Mode::kDriving));
-  EXPECT_TRUE(told.supply_switch_closed);
-  EXPECT_EQ(told.faults, 0);
-  EXPECT_EQ(told.received_sequence, bench.sequence);
-  EXPECT_EQ(told.sensor_limit_cc, 7500);
-  EXPECT_EQ(told.current_limit_ma, 16'500);
+  const TelemetryFrame telemetry = bench.telemetry();
+  EXPECT_EQ(telemetry.supply_mv, 11'987);
+  EXPECT_EQ(telemetry.currents_measured, 5);
+  EXPECT_TRUE(telemetry.currents_in_line);
+  EXPECT_TRUE(telemetry.supply_current_measured);
+  EXPECT_EQ(telemetry.supply_ma, 321);
+  EXPECT_EQ(telemetry.fan_rpm, 4321);
+  EXPECT_EQ(telemetry.fan, 77);
+  EXPECT_EQ(telemetry.mode, static_cast<std::uint8_t>(Mode::kDriving));
+  EXPECT_TRUE(telemetry.supply_switch_closed);
+  EXPECT_EQ(telemetry.faults, 0);
+  EXPECT_EQ(telemetry.received_sequence, bench.sequence);
+  EXPECT_EQ(telemetry.sensor_limit_cc, 7500);
+  EXPECT_EQ(telemetry.current_limit_ma, 16'500);
 }
 
 TEST(BoardCoreTelemetry, TheAgeOfTheSetPointStopsAt255) {

@@ -9,9 +9,7 @@ namespace hedgehog::board {
 namespace {
 
 // 12 V x duty / 0.36 ohm, the resistance of the coldest winding at the lower tolerance.
-int most_ma(std::int16_t duty_q15) {
-  return static_cast<int>(12'000.0 * duty_q15 / 32767.0 / 0.36);
-}
+int max_ma(std::int16_t duty_q15) { return static_cast<int>(12'000.0 * duty_q15 / 32767.0 / 0.36); }
 
 struct Driving : CoreBench {
   Driving() {
@@ -52,7 +50,7 @@ TEST(UnexpectedCurrent, InAWindingThatShouldBeIdleNowEndsWithinThirtyMillisecond
   EXPECT_LE(after_ms, 25);
 }
 
-TEST(UnexpectedCurrent, ThatDiesAwayInTheBrakeIsNone) {
+TEST(UnexpectedCurrent, ThatDecaysInTheBrakeIsNone) {
   Driving bench;
   bench.set_point.duty_q15[0] = 20'000;
   bench.inputs.current_ma[0] = 15'000;
@@ -68,17 +66,17 @@ TEST(UnexpectedCurrent, ThatDiesAwayInTheBrakeIsNone) {
   }
 }
 
-TEST(UnexpectedCurrent, IsMoreThanTheDutyDrivesThroughTheLeastResistance) {
+TEST(UnexpectedCurrent, IsMoreThanTheDutyDrivesThroughTheMinimumResistance) {
   Driving bench;
-  const int most = most_ma(bench.set_point.duty_q15[0]);
-  bench.inputs.current_ma[0] = static_cast<std::int16_t>(most + 450);
+  const int limit_ma = max_ma(bench.set_point.duty_q15[0]);
+  bench.inputs.current_ma[0] = static_cast<std::int16_t>(limit_ma + 450);
   bench.run(100);
   EXPECT_TRUE(bench.drives());
-  bench.inputs.current_ma[0] = static_cast<std::int16_t>(most + 600);
+  bench.inputs.current_ma[0] = static_cast<std::int16_t>(limit_ma + 600);
   EXPECT_GE(bench.safe_after_ms(), 0);
 }
 
-TEST(UnexpectedCurrent, IsFoundInTheSupplyLineWhenTheWindingsOwnSensorIsBlind) {
+TEST(UnexpectedCurrent, IsFoundInTheSupplyLineWhenTheWindingsSensorFails) {
   Driving bench;
   bench.inputs.currents_measured = 1;
   bench.inputs.supply_ma = 3000 + 5000;
@@ -115,7 +113,7 @@ TEST(UnexpectedCurrent, OfASleepingBridgeOpensTheSupplySwitchByTheSupplyLineToo)
 }
 
 // A current that is not measured is assumed to decay as in the brake, and counts until it is 0.
-TEST(UnmeasuredCurrent, CountsAsTheLastOneDyingAway) {
+TEST(UnmeasuredCurrent, CountsAsTheLastOneDecaying) {
   Driving bench;
   bench.inputs.supply_ma = 0;
   bench.set_point.duty_q15[0] = INT16_MAX;
@@ -150,7 +148,7 @@ TEST(UnmeasuredCurrent, CountsAsTheLastOneDyingAway) {
 }
 
 // The wire of a driver's own sensor is disconnected: 0 V, far below its zero, is not a measurement.
-TEST(UnmeasuredCurrent, OfAWindingThatIsDrivenOneWayIsABrokenSensor) {
+TEST(UnmeasuredCurrent, OfAWindingDrivenInOneDirectionIsABrokenSensor) {
   Driving bench;
   bench.inputs.currents_measured = 6;
   bench.inputs.current_ma[0] = 0;
@@ -161,7 +159,7 @@ TEST(UnmeasuredCurrent, OfAWindingThatIsDrivenOneWayIsABrokenSensor) {
   EXPECT_TRUE(bench.latched_by(kCurrentSense));
 }
 
-TEST(UnmeasuredCurrent, OfAWindingThatTurnsIsNone) {
+TEST(UnmeasuredCurrent, OfAWindingThatReversesIsNoFault) {
   Driving bench;
   bench.inputs.currents_measured = 6;
   bench.inputs.current_ma[0] = 0;

@@ -32,15 +32,15 @@ TEST(BoardCommandDrive, ACurrentThatFlowsNeedsNoBoost) {
 
 TEST(BoardCommandDrive, TheFirstMillisecondArrivesAtTheCurrentExactly) {
   const std::array<double, model::kCoils> ohm{0.40, 0.45, 0.55};
-  const model::Vec3 wanted{2, -4, 3};
+  const model::Vec3 requested{2, -4, 3};
   const model::Vec3 now{1, -1, 8};
-  const BoardCommand command = BoardCommand::drive(limited(wanted), ohm, kInductance, now, 12.0);
+  const BoardCommand command = BoardCommand::drive(limited(requested), ohm, kInductance, now, 12.0);
   for (int k = 0; k < model::kCoils; ++k) {
     const double r = ohm[static_cast<std::size_t>(k)];
     const double settled = 12.0 * command.first_duty()[k] / r;
     const double after = settled + (now[k] - settled) * std::exp(-r * 1e-3 / kInductance);
-    EXPECT_NEAR(after, wanted[k], 1e-3) << k;
-    EXPECT_NEAR(12.0 * command.duty()[k] / r, wanted[k], 1e-3) << "and stays there";
+    EXPECT_NEAR(after, requested[k], 1e-3) << k;
+    EXPECT_NEAR(12.0 * command.duty()[k] / r, requested[k], 1e-3) << "and stays there";
   }
 }
 
@@ -58,7 +58,7 @@ TEST(BoardCommandDrive, StaysWithinTheSupply) {
   EXPECT_EQ(weak.first_duty().y, -1.0);
 }
 
-TEST(BoardCommandDrive, HeldItIsTheSameWithoutTheBoost) {
+TEST(BoardCommandDrive, ARepeatedOneIsTheSameWithoutTheBoost) {
   BoardCommand command =
       BoardCommand::drive(limited({8, 0, 0}), kColdOhm, kInductance, {0, 0, 0}, 12.0);
   command.fan = 7;
@@ -72,7 +72,7 @@ TEST(BoardCommandDrive, HeldItIsTheSameWithoutTheBoost) {
   EXPECT_EQ(held.arm_count, 3);
 }
 
-TEST(BoardCommandDrive, IsSafeOnAnyNumberThatIsNone) {
+TEST(BoardCommandDrive, IsSafeForAnyInvalidNumber) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const model::LimitedCurrents currents = limited({5, 5, 5});

@@ -35,7 +35,7 @@ BoardOutputs driven(std::int16_t x, std::int16_t y = 0, std::int16_t z = 0) {
   return outputs;
 }
 
-TEST(BoardPort, TheNtcIsReadWithinAFifthOfAKelvinWhereItMatters) {
+TEST(BoardPort, TheNtcIsReadWithinAFifthOfAKelvinInTheWorkingRange) {
   for (int celsius = -40; celsius <= 125; ++celsius) {
     const double read = ntc_cc(adc_of_ntc(celsius), 4095, 10'000) / 100.0;
     EXPECT_NEAR(read, celsius, celsius >= 0 && celsius <= 100 ? 0.2 : 0.6) << celsius;
@@ -57,7 +57,7 @@ TEST(BoardPort, ABrokenWireIsNoTemperature) {
   }
 }
 
-TEST(BoardPort, AsManyThermistorsAreReadAsAreWired) {
+TEST(BoardPort, OnlyWiredThermistorsAreRead) {
   RawInputs raw;
   raw.ntc_adc[0] = adc_of_ntc(30.0);
   raw.ntc_adc[1] = adc_of_ntc(50.0);
@@ -143,7 +143,7 @@ TEST(BoardPort, EachWindingHasItsOwnScaleAndZero) {
 }
 
 // Currents converted 60, 40 and 20 us early are extrapolated to the end of their millisecond.
-TEST(BoardPort, CurrentsAreTakenToTheEndOfTheirMillisecond) {
+TEST(BoardPort, CurrentsAreExtrapolatedToTheEndOfTheirMillisecond) {
   const Wiring wiring = reference_wiring();
   BoardInputs last;
   RawInputs raw;
@@ -197,7 +197,7 @@ TEST(BoardPort, PinsFollowTheDuties) {
   EXPECT_EQ(pins.pwm[2], kWiring.pwm_top);
 }
 
-TEST(BoardPort, AsleepNothingIsDrivenWhateverTheDutySays) {
+TEST(BoardPort, AsleepNothingIsDrivenForAnyDuty) {
   BoardOutputs outputs = driven(8000, -8000, 1);
   outputs.awake = false;
   const PinOutputs pins = pins_for(kWiring, outputs);
@@ -244,11 +244,11 @@ struct FakeMicrocontroller {
   PinOutputs pins;
   std::vector<std::uint8_t> sent;
 
-  std::size_t receive(std::uint8_t* packet, std::size_t room) {
+  std::size_t receive(std::uint8_t* packet, std::size_t capacity) {
     if (packets.empty()) return 0;
     const auto next = packets.front();
     packets.pop_front();
-    const std::size_t length = std::min(next.size(), room);
+    const std::size_t length = std::min(next.size(), capacity);
     std::copy_n(next.begin(), length, packet);
     return length;
   }

@@ -21,11 +21,11 @@ struct StepOfCurrent : testing::Test {
   double current() { return both.board().plant().current_a().x; }
   bool awake() { return both.board().core().outputs().awake; }
 
-  // A new set-point that requests `wanted` while `now` flows.
-  void renew(double wanted, double now) {
+  // A new set-point that requests `requested` while `now` flows.
+  void renew(double requested, double now) {
     const std::uint8_t arm_count = command.board.arm_count;
     command.board =
-        BoardCommand::drive(limited({wanted, 0, 0}), kColdOhm, 1.5e-3, {now, 0, 0}, 12.0);
+        BoardCommand::drive(limited({requested, 0, 0}), kColdOhm, 1.5e-3, {now, 0, 0}, 12.0);
     command.board.arm_count = arm_count;
     ++command.count;
   }
@@ -42,8 +42,8 @@ struct StepOfCurrent : testing::Test {
     ASSERT_TRUE(awake());
   }
   // The peak current from one set-point, until the link has made the board safe.
-  double peak_of_one(double wanted) {
-    renew(wanted, 0.0);
+  double peak_of_one(double requested) {
+    renew(requested, 0.0);
     double peak = 0.0;
     int ms = 0;
     for (; ms < 100 && (ms == 0 || awake()); ++ms) {
@@ -68,18 +68,18 @@ TEST_F(StepOfCurrent, FifteenAmperesNeverRenewedStayFifteen) {
 }
 
 TEST_F(StepOfCurrent, RenewedEachMillisecondItIsThereInTwo) {
-  for (const double wanted : {8.0, -8.0, 3.0, 8.0, 0.0}) {
+  for (const double requested : {8.0, -8.0, 3.0, 8.0, 0.0}) {
     double peak = 0.0;
     const double from = current();
     for (int ms = 1; ms <= 20; ++ms) {
-      renew(wanted, current());
+      renew(requested, current());
       step();
       // 12 V move the current by up to 6.9 A in the first millisecond: from 8 to -8 takes three.
-      if (ms >= (std::abs(wanted - from) > 12.0 ? 3 : 2))
-        ASSERT_NEAR(current(), wanted, 0.02 * 8.0) << ms;
+      if (ms >= (std::abs(requested - from) > 12.0 ? 3 : 2))
+        ASSERT_NEAR(current(), requested, 0.02 * 8.0) << ms;
       peak = std::max(peak, std::abs(current() - from));
     }
-    EXPECT_LT(peak, 1.02 * std::abs(wanted - from)) << wanted;
+    EXPECT_LT(peak, 1.02 * std::abs(requested - from)) << requested;
   }
 }
 

@@ -36,7 +36,7 @@ struct CoreBench {
     core.receive(frame.data(), frame.size());
   }
   void feed() { send(set_point); }
-  void ask_to_arm() {
+  void request_arm() {
     ArmFrame arm;
     arm.count = ++arm_count;
     send(arm);
@@ -52,7 +52,7 @@ struct CoreBench {
   /// Set-points, an arm request, and one more set-point: driving from here on.
   void arm_and_drive() {
     feed();
-    ask_to_arm();
+    request_arm();
     step();
     run(1);
   }

@@ -53,7 +53,7 @@ struct Electronics {
   }
 };
 
-TEST(FrontEnd, InLineMeasuresBothSignsWhateverTheBridgeDoes) {
+TEST(FrontEnd, InLineMeasuresBothSignsInEveryBridgeState) {
   Electronics in_line(FrontEndKind::kInLine);
   in_line.drive(0, 0.5, 12.0);
   in_line.drive(1, 0.0, -3.0);  // decays in the brake
@@ -66,7 +66,7 @@ TEST(FrontEnd, InLineMeasuresBothSignsWhateverTheBridgeDoes) {
   EXPECT_NEAR(in_line.current_a(1).mean, -3.0, 0.005);
 }
 
-TEST(FrontEnd, DriverCsMeasuresWhileTheBridgeDrivesAndNothingElse) {
+TEST(FrontEnd, DriverCsMeasuresOnlyWhileTheBridgeDrives) {
   Electronics cs(FrontEndKind::kDriverCs);
   cs.drive(0, -0.5, -12.0);
   cs.drive(1, 0.0, 3.0);   // braking
@@ -82,7 +82,7 @@ TEST(FrontEnd, DriverCsMeasuresWhileTheBridgeDrivesAndNothingElse) {
 }
 
 // The firmware drives nothing, but the PWM line is stuck.
-TEST(FrontEnd, DriverCsShowsACurrentThatSomebodyElseDrives) {
+TEST(FrontEnd, DriverCsMeasuresAnExternallyDrivenCurrent) {
   Electronics cs(FrontEndKind::kDriverCs);
   cs.drive(1, 0.3, 8.0);
   cs.applied.duty_q15[1] = 0;

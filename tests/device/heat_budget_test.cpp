@@ -22,7 +22,7 @@ TEST(BoardHeatBudget, IsSpentWhenItIsReached) {
   EXPECT_TRUE(budget.exceeded(4));
 }
 
-TEST(BoardHeatBudget, OnceSpentItIsSoUntilSevenEighths) {
+TEST(BoardHeatBudget, StaysSpentUntilSevenEighths) {
   HeatBudget spent(1);
   for (int i = 0; i < 3; ++i) spent.step(2 * kUnit);  // 2, 3 and 3.5
   EXPECT_FALSE(HeatBudget(spent).exceeded(4)) << "not spent before";
@@ -45,7 +45,7 @@ TEST(BoardHeatBudget, LosesItsShareEachMillisecond) {
   EXPECT_EQ(budget.permille(4), 812) << "(3 - 3/4 + 1) / 4";
 }
 
-TEST(BoardHeatBudget, IsToldInThousandthsAsFarAsTheyGo) {
+TEST(BoardHeatBudget, IsReportedInThousandthsAndSaturates) {
   HeatBudget budget(kNoLeak);
   for (int i = 0; i < 65; ++i) budget.step(kUnit);
   budget.step(kUnit / 1000 * 534);

@@ -6,10 +6,10 @@
 
 namespace hedgehog::device {
 
-inline model::LimitedCurrents limited(const model::Vec3& wanted_a) {
+inline model::LimitedCurrents limited(const model::Vec3& requested_a) {
   model::ThermalEstimate cold;
   cold.measured = {true, true, true};
-  return model::ThermalLimiter().limit({wanted_a}, cold);
+  return model::ThermalLimiter().limit({requested_a}, cold);
 }
 
 inline constexpr std::array<double, model::kCoils> kColdOhm{0.45, 0.45, 0.45};

@@ -19,7 +19,7 @@ TEST_F(LinkBench, AChangedArmCountIsRequestedUntilTheBoardConfirmsIt) {
   EXPECT_EQ(arm_request(), std::nullopt);
 }
 
-TEST_F(LinkBench, ItGivesUpAfterFiftyTicks) {
+TEST_F(LinkBench, ARequestTimesOutAfterFiftyTicks) {
   tick();
   command.board.arm_count = 1;
   int requests = 0;
@@ -40,7 +40,7 @@ TEST_F(LinkBench, ABoardThatAppearsLaterIsNotArmedByAnOldRequest) {
   }
 }
 
-TEST_F(LinkBench, ARequestEndsWithTheBoardItWasMeantFor) {
+TEST_F(LinkBench, ARequestEndsWhenItsBoardDisconnects) {
   tick();
   command.board.arm_count = 1;
   tick();
@@ -65,7 +65,7 @@ TEST_F(LinkBench, ABoardThatRestartsIsNotArmedByAnOldRequest) {
   EXPECT_EQ(link.report().counters.lost, 0u);
 }
 
-TEST_F(LinkBench, ABoardThatRestartsAfterTwentyFiveDaysIsSeenToHaveRestarted) {
+TEST_F(LinkBench, ARestartAfterTwentyFiveDaysIsDetected) {
   board.sequence = 0x8000'0100u;
   board.board_ms = 0x8000'0100u;
   tick();
@@ -80,7 +80,7 @@ TEST_F(LinkBench, ABoardThatRestartsAfterTwentyFiveDaysIsSeenToHaveRestarted) {
   EXPECT_EQ(link.report().telemetry.sequence, 1u);
 }
 
-TEST_F(LinkBench, AClockThatComesRoundIsNoRestart) {
+TEST_F(LinkBench, AClockThatWrapsIsNoRestart) {
   board.sequence = 0xFFFF'FFF0u;
   board.board_ms = 0xFFFF'FFF0u;
   tick();
@@ -112,7 +112,7 @@ TEST_F(LinkBench, ARequestDiffersFromTheCountOfABoardThatHasRestarted) {
   EXPECT_EQ(link.report().telemetry.arm_count, 0) << "confirmed, as control counts";
 }
 
-TEST_F(LinkBench, TakingOverTheBoardsOwnCountIsNoRequest) {
+TEST_F(LinkBench, AdoptingTheBoardsOwnCountIsNoRequest) {
   board.arm_count = 7;
   tick();
   command.board.arm_count = 7;

@@ -8,7 +8,7 @@ namespace hedgehog::device {
 namespace {
 
 struct LinkBootLoader : LinkBench {
-  bool asks() const {
+  bool is_requesting() const {
     if (!frames.other) return false;
     board::FrameHeader header;
     board::read_header(frames.other->data(), frames.other->size(), header);
@@ -16,26 +16,26 @@ struct LinkBootLoader : LinkBench {
   }
 };
 
-TEST_F(LinkBootLoader, IsAskedForInFiftyFramesOnly) {
+TEST_F(LinkBootLoader, IsRequestedInFiftyFramesOnly) {
   tick();
   ++command.board.boot_loader_count;
-  int asked = 0;
+  int requests = 0;
   for (int i = 0; i < 100; ++i) {
     tick();
-    if (!asks()) continue;
-    ++asked;
+    if (!is_requesting()) continue;
+    ++requests;
     EXPECT_EQ(board::read_boot_loader(frames.other->data()).key, board::BootLoaderFrame::kKey);
   }
-  EXPECT_EQ(asked, 50);
+  EXPECT_EQ(requests, 50);
 }
 
-TEST_F(LinkBootLoader, IsNotAskedOfABoardThatAppearsLater) {
+TEST_F(LinkBootLoader, IsNotRequestedFromABoardThatAppearsLater) {
   ++command.board.boot_loader_count;
   step();
-  EXPECT_FALSE(asks()) << "of a board that is absent";
+  EXPECT_FALSE(is_requesting()) << "of a board that is absent";
   for (int i = 0; i < 200; ++i) {
     tick();
-    ASSERT_FALSE(asks());
+    ASSERT_FALSE(is_requesting());
   }
 }
 
@@ -51,14 +51,14 @@ struct SimulatedBootLoader : testing::Test {
       both.step();
     }
   }
-  void ask() { ++command.board.boot_loader_count; }
+  void request() { ++command.board.boot_loader_count; }
   bool present() const { return both.link().report().present; }
 };
 
-TEST_F(SimulatedBootLoader, ADisarmedBoardIsAwayForThreeSecondsAndStartsAnew) {
+TEST_F(SimulatedBootLoader, ADisarmedBoardIsAbsentForThreeSecondsAndRestarts) {
   run(500);
   ASSERT_TRUE(present());
-  ask();
+  request();
   run(150);
   EXPECT_FALSE(present());
   run(2700);
@@ -71,7 +71,7 @@ TEST_F(SimulatedBootLoader, ADisarmedBoardIsAwayForThreeSecondsAndStartsAnew) {
   EXPECT_TRUE(present()) << "it was asked once";
 }
 
-TEST_F(SimulatedBootLoader, ABoardThatDrivesStays) {
+TEST_F(SimulatedBootLoader, ADrivingBoardStays) {
   run(5);
   ++command.board.arm_count;
   run(5);
@@ -81,13 +81,13 @@ TEST_F(SimulatedBootLoader, ABoardThatDrivesStays) {
   command.board.arm_count = idle.arm_count;
   run(20);
   ASSERT_EQ(both.board().core().mode(), board::Mode::kDriving);
-  ask();
+  request();
   run(150);
   EXPECT_TRUE(present());
   EXPECT_EQ(both.board().core().mode(), board::Mode::kDriving);
 }
 
-TEST_F(SimulatedBootLoader, ABoardThatHasJustDrivenGoesWhenNothingFlowsAnyMore) {
+TEST_F(SimulatedBootLoader, ABoardThatHasJustDrivenEntersItWhenNoCurrentFlows) {
   run(5);
   ++command.board.arm_count;
   run(5);
@@ -97,7 +97,7 @@ TEST_F(SimulatedBootLoader, ABoardThatHasJustDrivenGoesWhenNothingFlowsAnyMore) 
   run(30);
   ASSERT_GT(model::norm(both.board().plant().current_a()), 14.0);
   command.board = idle;
-  ask();
+  request();
   while (present() && model::norm(both.board().plant().current_a()) > 0.0) run(1);
   EXPECT_TRUE(present());
   run(150);

@@ -15,12 +15,12 @@ namespace hedgehog::device {
 namespace {
 
 /// A transport without a board, idle or not; counts the polls.
-class Nobody : public Transport {
+class SilentTransport : public Transport {
  public:
-  Nobody(bool idle, std::atomic<int>& looks) : idle_(idle), looks_(looks) {}
+  SilentTransport(bool idle, std::atomic<int>& polls) : idle_(idle), polls_(polls) {}
   bool send(std::span<const std::uint8_t, board::kFrameSize>) noexcept override { return false; }
   std::size_t receive(std::span<std::uint8_t>) noexcept override {
-    ++looks_;
+    ++polls_;
     return 0;
   }
   bool open() const noexcept override { return true; }
@@ -28,50 +28,51 @@ class Nobody : public Transport {
 
  private:
   bool idle_;
-  std::atomic<int>& looks_;
+  std::atomic<int>& polls_;
 };
 
 // An idle link polls once in 10 ms and never catches up on missed polls: that bound is exact,
 // however late it wakes.
-TEST(LinkThreads, RestWhileNobodyIsThere) {
+TEST(LinkThreads, PollSlowlyWithoutABoard) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kIdlePeriod{10};
   const Clock::time_point start = Clock::now();
   LinkPort busy_port;
   LinkPort idle_port;
-  std::atomic<int> busy_looks{0};
-  std::atomic<int> idle_looks{0};
-  LinkThread busy(busy_port, std::make_unique<Nobody>(false, busy_looks));
-  LinkThread idle(idle_port, std::make_unique<Nobody>(true, idle_looks));
+  std::atomic<int> busy_polls{0};
+  std::atomic<int> idle_polls{0};
+  LinkThread busy(busy_port, std::make_unique<SilentTransport>(false, busy_polls));
+  LinkThread idle(idle_port, std::make_unique<SilentTransport>(true, idle_polls));
   // Three times as often as the maximum of an idle link. A busy machine may delay it, but not in
   // every period.
-  const auto looks_often = [&] {
+  const auto polls_often = [&] {
     const Clock::time_point began = Clock::now();
-    const int before = busy_looks;
-    while (busy_looks < before + 10) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const int looks = busy_looks - before;
-    return looks * kIdlePeriod > 3 * (Clock::now() - began);
+    const int before = busy_polls;
+    while (busy_polls < before + 10) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const int polls = busy_polls - before;
+    return polls * kIdlePeriod > 3 * (Clock::now() - began);
   };
-  bool often = looks_often();
-  while (!often && Clock::now() < start + std::chrono::seconds(60)) often = looks_often();
+  bool often = polls_often();
+  while (!often && Clock::now() < start + std::chrono::seconds(60)) often = polls_often();
   EXPECT_TRUE(often);
-  while (idle_looks < 10) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  const int looks = idle_looks;
-  EXPECT_LE(looks * kIdlePeriod, Clock::now() - start);
+  while (idle_polls < 10) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const int polls = idle_polls;
+  EXPECT_LE(polls * kIdlePeriod, Clock::now() - start);
 }
 
 /// A board that sends telemetry, behind a transport that takes 30 ms each time.
-class Slow : public Transport {
+class SlowTransport : public Transport {
  public:
-  Slow(std::atomic<int>& sent, std::atomic<int>& driving) : sent_(sent), driving_(driving) {}
+  SlowTransport(std::atomic<int>& sent, std::atomic<int>& driving)
+      : sent_(sent), driving_(driving) {}
   bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept override {
     ++sent_;
     if (board::read_set_point(frame.data()).enable) ++driving_;
     return true;
   }
   std::size_t receive(std::span<std::uint8_t> packet) noexcept override {
-    told_ = !told_;
-    if (!told_) return 0;
+    delivered_ = !delivered_;
+    if (!delivered_) return 0;
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     ++board_.sequence;
     board::write_frame(board_, packet.data());
@@ -83,10 +84,10 @@ class Slow : public Transport {
   std::atomic<int>& sent_;
   std::atomic<int>& driving_;
   board::TelemetryFrame board_;
-  bool told_ = false;
+  bool delivered_ = false;
 };
 
-TEST(LinkThreads, CountMillisecondsAndNotTheirOwnSteps) {
+TEST(LinkThreads, CountMillisecondsAndNotTheirSteps) {
   std::atomic<int> sent{0};
   std::atomic<int> driving{0};
   LinkPort port;
@@ -95,7 +96,7 @@ TEST(LinkThreads, CountMillisecondsAndNotTheirOwnSteps) {
   command.board = BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {5, 0, 0}, 12.0);
   port.commands.write(command);
   {
-    LinkThread link(port, std::make_unique<Slow>(sent, driving));
+    LinkThread link(port, std::make_unique<SlowTransport>(sent, driving));
     while (sent < 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(driving, 1) << "the second came more than 20 ms after the only one that control gave";

@@ -5,7 +5,7 @@
 namespace hedgehog::device {
 namespace {
 
-TEST_F(LinkBench, PassesAFreshSetPointOn) {
+TEST_F(LinkBench, ForwardsAFreshSetPoint) {
   tick();
   EXPECT_TRUE(set_point().enable);
   EXPECT_EQ(set_point().duty_q15[0], command.board.duty_q15()[0]);
@@ -78,7 +78,7 @@ TEST_F(LinkBench, ARepeatedSetPointHasNoBoost) {
   }
 }
 
-TEST_F(LinkBench, WithoutABoardOnlyTheSafeCommandGoesOut) {
+TEST_F(LinkBench, WithoutABoardOnlyTheSafeCommandIsSent) {
   renew();
   step();
   EXPECT_FALSE(set_point().enable);
@@ -102,7 +102,7 @@ TEST_F(LinkBench, ABoardThatIsSilentForAHundredTicksIsAbsent) {
 }
 
 // A link thread that runs in every tenth millisecond only.
-TEST_F(LinkBench, WhatItDidNotStepThroughCounts) {
+TEST_F(LinkBench, SkippedTicksCount) {
   link = Link(BoardLimits{60.0, 8.0, 0.5});
   const auto tenth = [&] {
     link.skip(9);
@@ -140,7 +140,7 @@ TEST_F(LinkBench, WhatItDidNotStepThroughCounts) {
   EXPECT_EQ(requests, 5) << "for 50 ms";
 }
 
-TEST_F(LinkBench, CountsWhatWasLostAndWhatWasBroken) {
+TEST_F(LinkBench, CountsLostAndCorruptFrames) {
   tick();
   board.sequence += 4;
   tick();
@@ -155,7 +155,7 @@ TEST_F(LinkBench, CountsWhatWasLostAndWhatWasBroken) {
   EXPECT_EQ(link.report().telemetry_count, 2u);
 }
 
-TEST_F(LinkBench, TelemetryThatComesTwiceIsNotNew) {
+TEST_F(LinkBench, RepeatedTelemetryIsNotNew) {
   tick();
   send(board);
   EXPECT_EQ(link.report().telemetry_count, 1u);
@@ -174,7 +174,7 @@ TEST_F(LinkBench, ABoardThatWasAwayMayCountFromTheBeginning) {
   EXPECT_EQ(link.report().counters.errors, 0u);
 }
 
-TEST_F(LinkBench, WhatABoardSaidBeforeItWasAwayIsNotLost) {
+TEST_F(LinkBench, NumbersFromBeforeAnAbsenceAreNotLostFrames) {
   tick();
   for (int i = 0; i < Link::kAbsentTicks + 1; ++i) step();
   board.sequence += 1'000'000;
@@ -193,7 +193,7 @@ TEST_F(LinkBench, AnotherProtocolVersionIsAnAbsentBoard) {
   EXPECT_FALSE(set_point().enable);
 }
 
-TEST_F(LinkBench, GoesOnFromTheNumberThatTheBoardHasHeardBefore) {
+TEST_F(LinkBench, ContinuesFromTheNumberThatTheBoardHasReceived) {
   board.received_sequence = 5'000'000;
   tick();
   EXPECT_EQ(set_point().sequence, 5'000'001u);
@@ -201,7 +201,7 @@ TEST_F(LinkBench, GoesOnFromTheNumberThatTheBoardHasHeardBefore) {
 
 // -- arming -------------------------------------------------------------------------------------
 
-TEST_F(LinkBench, LimitsGoToEveryBoardThatAppears) {
+TEST_F(LinkBench, LimitsAreSentToEveryBoardThatAppears) {
   link = Link(BoardLimits{60.0, 8.0, 0.5});
   int sent = 0;
   for (int appearance = 0; appearance < 2; ++appearance) {
@@ -215,7 +215,7 @@ TEST_F(LinkBench, LimitsGoToEveryBoardThatAppears) {
 }
 
 // 2^31 milliseconds without a board.
-TEST_F(LinkBench, WhatIsDueIsStillDueAfterTwentyFiveDays) {
+TEST_F(LinkBench, TimersStillExpireAfterTwentyFiveDays) {
   link = Link(BoardLimits{60.0, 8.0, 0.5});
   link.set_simulator({});
   for (int i = 0; i < 2'148'000; ++i) link.skip(1000);
@@ -224,7 +224,7 @@ TEST_F(LinkBench, WhatIsDueIsStillDueAfterTwentyFiveDays) {
   EXPECT_EQ(decode_simulator(*frames.other), SimulatorSettings{});
 }
 
-TEST_F(LinkBench, SimulatorSettingsGoOutWhenTheyChangeAndEveryHundredTicks) {
+TEST_F(LinkBench, SimulatorSettingsAreSentWhenTheyChangeAndEveryHundredTicks) {
   SimulatorSettings settings;
   int sent = 0;
   for (int i = 0; i < 250; ++i) {

@@ -54,7 +54,7 @@ bool latched(const LinkReport& report, const LinkCommand& command) {
 
 // An arm request is repeated for 50 ms only: a board that did not run meanwhile has not received
 // it.
-constexpr int kArmAgainMs = 2'000;
+constexpr int kRearmMs = 2'000;
 
 // Waits until the board drives; arms again when, on a starved machine, the dead-man has tripped
 // before or the request was lost. Two minutes of requests.
@@ -64,11 +64,11 @@ bool arm_and_drive(LinkPort& port, LinkCommand& command) {
       return false;
     ++command.board.arm_count;
     bool drives = false;
-    int asked_ms = 0;
+    int requested_ms = 0;
     drive_until(port, command, true, [&](const LinkReport& r) {
       drives = r.telemetry.mode == BoardMode::kDriving && r.telemetry.current_a.x > 4.0;
       const bool lost =
-          ++asked_ms > kArmAgainMs && r.telemetry.arm_count != command.board.arm_count;
+          ++requested_ms > kRearmMs && r.telemetry.arm_count != command.board.arm_count;
       return drives || !r.present || latched(r, command) || lost;
     });
     if (drives) return true;
@@ -116,7 +116,7 @@ struct Trace {
 
 // Safe 100 ms + 1 frame after the last valid set-point by the board's own clock, and without
 // current 5 L/R later.
-void expect_made_itself_safe(const Trace& trace) {
+void expect_became_safe(const Trace& trace) {
   const std::string latched = trace.line("mode", "latched");
   ASSERT_FALSE(latched.empty());
   EXPECT_LE(std::stoi(value_of(latched, "set_point_age_ms")), 101);
@@ -153,7 +153,7 @@ TEST(LinkThreads, SimulatorSettingsReachTheBoard) {
   }));
 }
 
-TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
+TEST(LinkThreads, TheBoardBecomesSafeWhenTheHostCloses) {
   const Trace trace;
   auto [host, board] = make_socket_pair();
   std::FILE* file = std::fopen(trace.path.c_str(), "w");
@@ -165,15 +165,15 @@ TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
   // A host that drives and then disappears without a frame.
   Link link;
   LinkCommand command;
-  int asked_ms = 0;
+  int requested_ms = 0;
   for (int ms = 0; ms < 120'000 && !(link.report().telemetry.current_a.x > 4.0); ++ms) {
     Frame packet;
     while (transport->receive(packet) != 0) link.receive(packet);
     if (link.report().present) {
       const std::uint8_t armed = command.board.arm_count;
-      const bool lost = ms > asked_ms + kArmAgainMs && link.report().telemetry.arm_count != armed;
+      const bool lost = ms > requested_ms + kRearmMs && link.report().telemetry.arm_count != armed;
       const bool again = armed == 0 || latched(link.report(), command) || lost;
-      if (again) asked_ms = ms;
+      if (again) requested_ms = ms;
       command.board = BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {5, 0, 0}, 12.0);
       command.board.arm_count = static_cast<std::uint8_t>(armed + (again ? 1 : 0));
     }
@@ -187,11 +187,11 @@ TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
   thread.join();
   std::fclose(file);
   ASSERT_GT(link.report().telemetry.current_a.x, 4.0);
-  expect_made_itself_safe(trace);
+  expect_became_safe(trace);
   EXPECT_FALSE(trace.line("closed").empty());
 }
 
-TEST(SimulatedBoardProcesses, MakeThemselvesSafeWhenTheirHostIsGone) {
+TEST(SimulatedBoardProcesses, BecomeSafeWhenTheirHostEnds) {
   const Trace trace;
   SimulatedBoardProcessOptions options;
   options.program = build_folder() + "/daemon/hedgehog-simboard";
@@ -207,7 +207,7 @@ TEST(SimulatedBoardProcesses, MakeThemselvesSafeWhenTheirHostIsGone) {
     EXPECT_NEAR(port.reports.read().telemetry.supply_v, 14.0, 0.05);
     EXPECT_NEAR(port.reports.read().telemetry.sensor_c, 30.0, 3.0);
   }
-  expect_made_itself_safe(trace);
+  expect_became_safe(trace);
 }
 
 TEST(SimulatedBoardProcesses, AProgramThatIsMissingIsAnError) {
@@ -222,7 +222,7 @@ TEST(TickClock, APhaseIsThatOfWholeMilliseconds) {
   EXPECT_EQ(at_phase_before(8'249'999, kPhaseNs), 7'250'000);
 }
 
-TEST(TickClock, LeavesOutWhatItMissedInsteadOfCatchingUp) {
+TEST(TickClock, SkipsMissedTicksInsteadOfCatchingUp) {
   TickClock clock(1'000'000);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   const std::uint64_t skipped = clock.wait();
@@ -230,7 +230,7 @@ TEST(TickClock, LeavesOutWhatItMissedInsteadOfCatchingUp) {
   EXPECT_GE(clock.lateness_ns(), 0);
 }
 
-TEST(SocketTransport, KeepsLengthsAndNoticesTheEnd) {
+TEST(SocketTransport, KeepsLengthsAndDetectsTheEnd) {
   auto [one, other] = make_socket_pair();
   SocketTransport near(std::move(one));
   Frame frame{};
@@ -254,9 +254,9 @@ TEST(SocketTransport, AFullSocketDropsInsteadOfWaiting) {
   auto [one, other] = make_socket_pair();
   SocketTransport near(std::move(one));
   const Frame frame{};
-  int taken = 0;
-  while (taken < 100'000 && near.send(frame)) ++taken;
-  EXPECT_LT(taken, 200) << "old set-points must not pile up";
+  int accepted = 0;
+  while (accepted < 100'000 && near.send(frame)) ++accepted;
+  EXPECT_LT(accepted, 200) << "old set-points must not pile up";
   EXPECT_TRUE(near.open());
 }
 

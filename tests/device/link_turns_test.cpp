@@ -31,7 +31,7 @@ TEST_F(LinkBenchTurns, AThermistorKeepsItsReadingUntilItsNextTurn) {
   EXPECT_EQ(thermistor(2).celsius, 32.0);
 }
 
-TEST_F(LinkBenchTurns, AfterAHundredFramesWithoutATurnAThermistorIsNotKnown) {
+TEST_F(LinkBenchTurns, AfterAHundredFramesWithoutATurnAThermistorIsUnknown) {
   turn(1, 3100);
   for (int frame = 1; frame < 100; ++frame) {
     turn(2, 3200);
@@ -116,7 +116,7 @@ TEST_F(LinkBenchTurns, ForControlTheArmCountOfABoardThatRestartsGoesOn) {
   EXPECT_EQ(link.report().telemetry.arm_count, 8);
 }
 
-TEST_F(LinkBenchTurns, GoesOnFromWhatTheBoardHasHeardAndNeverBack) {
+TEST_F(LinkBenchTurns, ContinuesFromWhatTheBoardHasReceivedAndNeverBack) {
   board.received_sequence = 1;
   telemetry();
   step();
@@ -139,7 +139,7 @@ TEST_F(LinkBenchTurns, TheLimitsAreRepeatedEverySecond) {
   EXPECT_TRUE(frames.other);
 }
 
-TEST_F(LinkBenchTurns, WhatASimulatedBoardTellsOfItsPlantIsPassedOnAndIsNoTelemetry) {
+TEST_F(LinkBenchTurns, ASimulatedBoardsPlantStateIsForwardedAndIsNoTelemetry) {
   PlantTruth truth;
   truth.core_c = 31.5;
   link.receive(encode_truth(truth, 1));
@@ -171,7 +171,7 @@ TEST_F(LinkBenchTurns, WithoutABoardOrBeforeTheFirstCommandTheFanIsAsCommanded) 
   EXPECT_EQ(set_point().fan, 42) << "no board is no fault of control";
 }
 
-TEST_F(LinkBenchTurns, TakesLimitsAndSettingsFromThePort) {
+TEST_F(LinkBenchTurns, ReadsLimitsAndSettingsFromThePort) {
   LinkPort port;
   port.limits.write({60.0, 8.0, 0.5});
   telemetry();

@@ -9,7 +9,7 @@
 namespace hedgehog::device {
 namespace {
 
-TEST(PlantText, EveryNumberArrivesAndNothingElseIsTaken) {
+TEST(PlantText, EveryNumberIsReadAndNothingElseIsAccepted) {
   model::PlantParameters plant;
   plant.winding_j_k = {40.1, 50.2, 60.3};
   plant.core_j_k = 70.4;

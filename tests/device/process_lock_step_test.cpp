@@ -68,7 +68,7 @@ TEST_F(InStep, EachStepIsAMillisecondOfTheBoard) {
   EXPECT_TRUE(report().present);
 }
 
-TEST_F(InStep, TheTruthIsThatOfTheLastMillisecond) {
+TEST_F(InStep, TheTrueStateIsThatOfTheLastMillisecond) {
   run(20, false);
   ++command_.board.arm_count;
   run(100, true);
@@ -77,11 +77,11 @@ TEST_F(InStep, TheTruthIsThatOfTheLastMillisecond) {
   EXPECT_NEAR(report().telemetry.current_a.x, 5.0, 0.2);
 }
 
-TEST(ProcessLockStep, AHostWithoutABoardGoesOn) {
+TEST(ProcessLockStep, AHostWithoutABoardContinues) {
   auto [host, board] = make_socket_pair();
   LinkPort port;
   ProcessLockStep step(port, std::make_unique<SocketTransport>(std::move(host)));
-  { const FileDescriptor gone = std::move(board); }
+  { const FileDescriptor closed = std::move(board); }
   for (int i = 0; i < 200; ++i) step.step();
   EXPECT_FALSE(port.reports.read().present);
 }
@@ -90,12 +90,12 @@ TEST(ProcessLockStep, ABoardThatHangsIsWaitedForOnce) {
   auto [host, board] = make_socket_pair();
   LinkPort port;
   ProcessLockStep step(port, std::make_unique<SocketTransport>(std::move(host)), 10);
-  SocketTransport hung(std::move(board));
+  SocketTransport silent(std::move(board));
   step.step();
   std::array<std::uint8_t, 2 * board::kFrameSize> packet;
   int packets = 0;
-  while (hung.receive(packet) > 0) ++packets;
-  EXPECT_FALSE(hung.open()) << "the host's end is closed";
+  while (silent.receive(packet) > 0) ++packets;
+  EXPECT_FALSE(silent.open()) << "the host's end is closed";
   EXPECT_GT(packets, 0);
   for (int i = 0; i < 200; ++i) step.step();
   EXPECT_FALSE(port.reports.read().present);

@@ -16,7 +16,7 @@ struct Together : testing::Test {
   LockStep both{port, exact()};
   LinkCommand command;
   SimulatorSettings settings;
-  model::Vec3 wanted{5, 0, 0};
+  model::Vec3 requested{5, 0, 0};
   bool feeding = true;
 
   const BoardTelemetry& telemetry() { return both.link().report().telemetry; }
@@ -28,8 +28,8 @@ struct Together : testing::Test {
     for (int i = 0; i < ms; ++i) {
       if (feeding) {
         const std::uint8_t arm_count = command.board.arm_count;
-        const model::Vec3 settled = wanted;
-        command.board = BoardCommand::drive(limited(wanted), kColdOhm, 1.5e-3, settled, 12.0);
+        const model::Vec3 settled = requested;
+        command.board = BoardCommand::drive(limited(requested), kColdOhm, 1.5e-3, settled, 12.0);
         command.board.arm_count = arm_count;
         ++command.count;
       }
@@ -66,9 +66,9 @@ TEST_F(Together, DoesNothingUntilArmed) {
 }
 
 TEST_F(Together, AStepToFifteenAmperesFollowsTheInductance) {
-  wanted = {0, 0, 0};
+  requested = {0, 0, 0};
   arm();
-  wanted = {0, 15, 0};
+  requested = {0, 15, 0};
   // No feed-forward here (`settled`), so I = 15 (1 - exp(-t R/L)), L/R = 3.33 ms.
   for (int ms = 1; ms <= 20; ++ms) {
     run(1);
@@ -116,9 +116,9 @@ TEST_F(Together, APulledCableIsSafeAfterAHundredMillisecondsOfTheBoard) {
   EXPECT_NEAR(current(), 5.0, 0.05);
 }
 
-TEST_F(Together, AStuckBridgeIsNoticedAndOpensTheSupplySwitchInTime) {
+TEST_F(Together, AStuckBridgeIsDetectedAndOpensTheSupplySwitchInTime) {
   arm();
-  wanted = {0, 0, 0};
+  requested = {0, 0, 0};
   run(100);
   fault(kSimStuckBridge, 2);
   int ms = 0;
@@ -233,7 +233,7 @@ TEST_F(Together, ASeizedFanRunsOut) {
 }
 
 TEST_F(Together, FifteenAmperesWithoutALimiterHitTheBoardsOwnLimits) {
-  wanted = {15, 0, 0};
+  requested = {15, 0, 0};
   arm();
   int ms = 0;
   for (; ms < 120'000 && both.board().core().outputs().awake; ++ms) run(1);
@@ -242,10 +242,10 @@ TEST_F(Together, FifteenAmperesWithoutALimiterHitTheBoardsOwnLimits) {
   expect_zero_soon();
 }
 
-TEST_F(Together, EvenWithAFrozenSensorTheyEnd) {
+TEST_F(Together, EvenWithAFrozenSensorTheBoardLimitsTheCurrent) {
   run(100);
   fault(kSimSensorFrozen);
-  wanted = {15, 0, 0};
+  requested = {15, 0, 0};
   arm();
   int ms = 0;
   for (; ms < 120'000 && both.board().core().outputs().awake; ++ms) run(1);
@@ -254,7 +254,7 @@ TEST_F(Together, EvenWithAFrozenSensorTheyEnd) {
   expect_zero_soon();
 }
 
-TEST(SimulatedBoardStart, IsAsWarmAsToldInARoomAsToldAndTheSameEachTime) {
+TEST(SimulatedBoardStart, HasTheConfiguredTemperaturesAndIsReproducible) {
   SimulatedBoardOptions options;
   options.start_c = 53.0;
   options.ambient_c = 20.0;

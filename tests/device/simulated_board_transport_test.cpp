@@ -57,12 +57,12 @@ class SimulatedBoardWithinTheHost : public testing::Test {
                                      []() noexcept { return board_clock_ns; }};
 };
 
-TEST_F(SimulatedBoardWithinTheHost, LivesThroughAMillisecondInAMillisecond) {
+TEST_F(SimulatedBoardWithinTheHost, SimulatesAMillisecondPerMillisecond) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(read_after(kMs), 1);
   EXPECT_EQ(read_after(0), 0);
 }
 
-TEST_F(SimulatedBoardWithinTheHost, LivesThroughOneMillisecondForAHostThatIsALittleEarlyOrLate) {
+TEST_F(SimulatedBoardWithinTheHost, SimulatesOneMillisecondForAHostThatIsSlightlyEarlyOrLate) {
   constexpr std::int64_t kJitter = 400'000;
   for (int i = 0; i < 10; ++i) {
     EXPECT_EQ(read_after(kMs + kJitter), 1);
@@ -70,13 +70,13 @@ TEST_F(SimulatedBoardWithinTheHost, LivesThroughOneMillisecondForAHostThatIsALit
   }
 }
 
-TEST_F(SimulatedBoardWithinTheHost, CatchesUpAFewMillisecondsAndLeavesOutTheRest) {
+TEST_F(SimulatedBoardWithinTheHost, CatchesUpAFewMillisecondsAndSkipsTheRest) {
   EXPECT_EQ(read_after(3 * kMs), 3);
   EXPECT_EQ(read_after(1000 * kMs), TickClock::kCatchUp + 1);
   EXPECT_EQ(read_after(kMs), 1);
 }
 
-TEST_F(SimulatedBoardWithinTheHost, DrivesWhenItIsToldTo) { drive(); }
+TEST_F(SimulatedBoardWithinTheHost, DrivesWhenCommanded) { drive(); }
 
 TEST_F(SimulatedBoardWithinTheHost, HasNoCurrentAfterTheDeadManOfAHostThatOnlyReads) {
   drive();

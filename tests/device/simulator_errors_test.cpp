@@ -46,7 +46,7 @@ TEST(SimulatorErrors, OfTheBallChangeThePlant) {
   EXPECT_NEAR(errors.plant().cooling_gain, 0.5, 1e-6);
 }
 
-TEST(SimulatorErrors, EveryKindHasANameAndARangeAroundNothingWrong) {
+TEST(SimulatorErrors, EveryKindHasANameAndARangeThatContainsNoError) {
   for (int k = 0; k < kSimulatorErrorKinds; ++k) {
     const auto kind = static_cast<SimulatorErrorKind>(k);
     EXPECT_EQ(simulator_error_kind(name(kind)), kind);
@@ -58,7 +58,7 @@ TEST(SimulatorErrors, EveryKindHasANameAndARangeAroundNothingWrong) {
 }
 
 // Frames of the list may be lost; the list takes effect once, when all of it has arrived.
-TEST(SimulatorErrors, ArriveFrameByFrame) {
+TEST(SimulatorErrors, AreReceivedFrameByFrame) {
   const SimulatorErrorList list = list_of({{SimulatorErrorKind::kPwmStuck, 1, 0.3, 0.0},
                                            {SimulatorErrorKind::kTachGain, 0, 2.0, 60.0},
                                            {SimulatorErrorKind::kThermistorContact, 2, 1.0, 1.5}});
@@ -88,7 +88,7 @@ struct Pair {
   }
 };
 
-TEST(SimulatorErrors, GoOverTheLinkToTheBoardAndTheTruthComesBack) {
+TEST(SimulatorErrors, AreSentOverTheLinkAndTheTrueStateIsReturned) {
   Pair pair;
   SimulatorSettings settings;
   settings.ambient_c = 19.0;

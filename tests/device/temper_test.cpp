@@ -12,14 +12,14 @@ namespace {
 
 const TemperModel kTwo = temper_model("TEMPer2_V3.9").value();
 
-TEST(Temper, TheQuestionsAreItsBytes) {
+TEST(Temper, TheRequestsAreItsBytes) {
   EXPECT_EQ(std::vector<Byte>(kTemperAskFirmware.begin(), kTemperAskFirmware.end()),
             from_hex("01 86 FF 01 00 00 00 00"));
   EXPECT_EQ(std::vector<Byte>(kTemperAskTemperature.begin(), kTemperAskTemperature.end()),
             from_hex("01 80 33 01 00 00 00 00"));
 }
 
-TEST(Temper, TheFirmwareIsTheAsciiInFront) {
+TEST(Temper, TheFirmwareIsTheLeadingAscii) {
   EXPECT_EQ(temper_firmware(from_hex("54 45 4D 50 65 72 32 5F 56 33 2E 39 20 20 20 20")),
             "TEMPer2_V3.9");
   EXPECT_EQ(temper_firmware(from_hex("00 01 02")), "");
@@ -59,21 +59,21 @@ TEST(Temper, FirmwareDecidesTheDivisor) {
   EXPECT_FALSE(temper_model(""));
 }
 
-TEST(Temper, OtherAnswersAreRefused) {
+TEST(Temper, OtherResponsesAreRefused) {
   EXPECT_FALSE(decode_temper(kTwo, {}));
   EXPECT_FALSE(decode_temper(kTwo, from_hex("80 80 0A")));
   EXPECT_FALSE(decode_temper(kTwo, from_hex("54 45 4D 50 65 72 32 5F")));
 }
 
-RC_GTEST_PROP(TemperLaws, HundredthsComeBack, ()) {
+RC_GTEST_PROP(TemperLaws, HundredthsAreDecoded, ()) {
   const int raw = *rc::gen::inRange(-4000, 12501);
-  std::vector<Byte> answer(16);
-  answer[0] = 0x80;
+  std::vector<Byte> response(16);
+  response[0] = 0x80;
   for (const std::size_t at : {std::size_t{2}, std::size_t{10}}) {
-    answer[at] = static_cast<Byte>(raw >> 8);
-    answer[at + 1] = static_cast<Byte>(raw);
+    response[at] = static_cast<Byte>(raw >> 8);
+    response[at + 1] = static_cast<Byte>(raw);
   }
-  const auto reading = decode_temper(kTwo, answer);
+  const auto reading = decode_temper(kTwo, response);
   RC_ASSERT(reading.has_value());
   RC_ASSERT(reading->internal_c == raw / 100.0);
   RC_ASSERT(reading->external_c == raw / 100.0);
@@ -81,10 +81,10 @@ RC_GTEST_PROP(TemperLaws, HundredthsComeBack, ()) {
 
 // There is no check sum: a wrong byte gives a plausible temperature, or none. The watchdog detects
 // a wrong one, which must last for seconds.
-RC_GTEST_PROP(TemperLaws, AnyBytesGiveAPossibleTemperatureOrNone, (std::vector<Byte> answer)) {
-  if (!answer.empty()) answer[0] = 0x80;
+RC_GTEST_PROP(TemperLaws, AnyBytesGiveAPossibleTemperatureOrNone, (std::vector<Byte> response)) {
+  if (!response.empty()) response[0] = 0x80;
   for (const char* firmware : {"TEMPerF1.4", "TEMPer2_V3.9", "TEMPer2_M12_V1.3"}) {
-    const auto reading = decode_temper(*temper_model(firmware), answer);
+    const auto reading = decode_temper(*temper_model(firmware), response);
     if (!reading) continue;
     for (const auto& value : {reading->internal_c, reading->external_c})
       if (value) RC_ASSERT(*value >= -40.0 && *value <= 125.0);

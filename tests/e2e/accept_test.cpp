@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "tests/e2e/daemon_process.h"
-#include "tests/e2e/patience.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -40,7 +40,7 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-TEST(Accept, WhoWasResetBeforeIsNoClient) {
+TEST(Accept, AConnectionResetBeforehandIsNoClient) {
   const Home home;
   const DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   ASSERT_EQ(RawClient(daemon.port()).call("hello")["connection"], 1);
@@ -51,7 +51,7 @@ TEST(Accept, WhoWasResetBeforeIsNoClient) {
   EXPECT_THAT(daemon.log(), testing::Not(testing::HasSubstr("0.0.0.0")));
 }
 
-TEST(Accept, ExhaustedDescriptorsAreReportedOnceAndLaterClientsLetIn) {
+TEST(Accept, ExhaustedDescriptorsAreReportedOnceAndLaterClientsAccepted) {
   const Home home;
   const DaemonProcess daemon(home);
   RawClient early(daemon.port());

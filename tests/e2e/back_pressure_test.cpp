@@ -22,12 +22,12 @@ class BackPressure : public Web {
  protected:
   /// Expects a response to each of `count` requests sent at once, while another client keeps
   /// playing.
-  void expect_answers(const std::function<Json()>& next, int count = kMany) {
+  void expect_responses(const std::function<Json()>& next, int count = kMany) {
     RawClient game(daemon_.port());
     for (int i = 0; i < count; ++i) {
-      const Json answer = next();
-      ASSERT_EQ(answer["id"], 7) << i;
-      ASSERT_TRUE(answer["result"].contains("simulated")) << i;
+      const Json response = next();
+      ASSERT_EQ(response["id"], 7) << i;
+      ASSERT_TRUE(response["result"].contains("simulated")) << i;
       if (i % 100 == 0) EXPECT_TRUE(game.call("ping").contains("time_ns"));
     }
     EXPECT_LE(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="slow"})"), 0)
@@ -43,36 +43,36 @@ class BackPressure : public Web {
 TEST_F(BackPressure, OnTcpAThousandRequestsAtOnceAreAnswered) {
   RawClient client(daemon_.port());
   client.send(requests());
-  expect_answers([&] { return client.answer(); });
+  expect_responses([&] { return client.response(); });
 }
 
 TEST_F(BackPressure, OnTheUnixSocketToo) {
   RawClient client(daemon_.socket());
   client.send(requests());
-  expect_answers([&] { return client.answer(); });
+  expect_responses([&] { return client.response(); });
 }
 
 TEST_F(BackPressure, OnWebSocketToo) {
   WebSocketClient client(daemon_.http_port());
   for (int i = 0; i < kFrames; ++i) client.text(kStatus);
-  expect_answers([&] { return client.json(); }, kFrames);
+  expect_responses([&] { return client.json(); }, kFrames);
 }
 
-TEST_F(BackPressure, WhatWaitsForATickIsAnsweredToo) {
+TEST_F(BackPressure, RequestsThatWaitForATickAreAnsweredToo) {
   RawClient client(daemon_.port());
   std::string all;
   for (int i = 0; i < kMany; ++i)
     all += R"({"jsonrpc":"2.0","id":7,"method":"device.arm"})"
            "\n";
   client.send(all);
-  for (int i = 0; i < kMany; ++i) ASSERT_EQ(client.answer()["id"], 7) << i;
+  for (int i = 0; i < kMany; ++i) ASSERT_EQ(client.response()["id"], 7) << i;
 }
 
-TEST_F(BackPressure, WhatWasSentBeforeTheClientStoppedSendingIsAnswered) {
+TEST_F(BackPressure, RequestsSentBeforeAHalfCloseAreAnswered) {
   RawClient client(daemon_.port());
   client.send(requests());
   client.half_close();
-  expect_answers([&] { return client.answer(); });
+  expect_responses([&] { return client.response(); });
   EXPECT_TRUE(client.closed_by_daemon());
 }
 

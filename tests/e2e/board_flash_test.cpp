@@ -49,7 +49,7 @@ TEST_F(BoardFlashFile, CheckNeedsNoDaemon) {
   EXPECT_EQ(Json::parse(json.out), Json({{"file", file()}, {"blocks", 40}, {"bytes", 10'240}}));
 }
 
-TEST_F(BoardFlashFile, ABadFileIsRefusedBeforeAnythingIsAsked) {
+TEST_F(BoardFlashFile, ABadFileIsRefusedBeforeAnyRequest) {
   home.write("new.uf2", image.substr(0, 512 * 39));
   const Ended ended = flash({});
   EXPECT_EQ(ended.exit_code, kBadData);
@@ -88,7 +88,7 @@ struct BoardFlashed : BoardFlashFile {
   Json status() { return other.call("device.status"); }
 };
 
-TEST_F(BoardFlashed, AnArmedBallIsLeftAlone) {
+TEST_F(BoardFlashed, AnArmedBallIsNotFlashed) {
   const Ended ended = flash({"--volume", volume()});
   EXPECT_EQ(ended.exit_code, kTryLater);
   EXPECT_THAT(ended.err, HasSubstr("only a ball that is not armed goes into its boot loader. Run: "
@@ -113,7 +113,7 @@ TEST_F(BoardFlashed, ThroughAVolume) {
   EXPECT_EQ(other.call("device.arm")["state"], "armed");
 }
 
-TEST_F(BoardFlashed, ByPicotoolWhichFindsTheDeviceAtItsSecondTry) {
+TEST_F(BoardFlashed, ByPicotoolWhichFindsTheDeviceAtItsSecondAttempt) {
   stop();
   const std::string path = path_with_picotool(
       "[ -e '" + home.path("tried") + "' ] && exit 0\n: >'" + home.path("tried") +
@@ -125,11 +125,11 @@ TEST_F(BoardFlashed, ByPicotoolWhichFindsTheDeviceAtItsSecondTry) {
   EXPECT_EQ(report["volume"], nullptr);
   EXPECT_EQ(report["protocol"], Json({{"before", "1.2"}, {"after", "1.2"}}));
   EXPECT_EQ(report["state"], "disarmed");
-  const std::string asked = "load -x " + file() + "\n";
-  EXPECT_EQ(home.read("asked"), asked + asked);
+  const std::string command = "load -x " + file() + "\n";
+  EXPECT_EQ(home.read("asked"), command + command);
 }
 
-TEST_F(BoardFlashed, WhatPicotoolComplainsOfIsShown) {
+TEST_F(BoardFlashed, ErrorsOfPicotoolAreShown) {
   stop();
   const Ended ended =
       flash({"--wait-s", "0"}, {path_with_picotool("echo 'No permission.' >&2\nexit 1\n")});
@@ -137,7 +137,7 @@ TEST_F(BoardFlashed, WhatPicotoolComplainsOfIsShown) {
   EXPECT_THAT(ended.err, HasSubstr("picotool failed: No permission."));
 }
 
-TEST_F(BoardFlashed, WithoutABoardTheDaemonIsNotAsked) {
+TEST_F(BoardFlashed, WithoutABoardTheDaemonGetsNoRequest) {
   other.call("sim.set", {{"fault", {{"faults", {"silent"}}}}});
   ASSERT_TRUE(eventually([&] { return status()["state"] == "absent"; }));
   const Ended ended = flash({"--volume", home.path("nothing")});
@@ -149,7 +149,7 @@ TEST_F(BoardFlashed, CtrlCLeavesTheBoardInItsBootLoader) {
   stop();
   Program program(home, hedgehogctl(), {"board", "flash", file(), "--volume", home.path("nothing")},
                   {"HEDGEHOG_ADDRESS=" + daemon.socket()});
-  EXPECT_TRUE(program.says("is in its boot loader"));
+  EXPECT_TRUE(program.prints("is in its boot loader"));
   program.signal(SIGINT);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, kInterrupted);

@@ -9,9 +9,9 @@
 #include <functional>
 #include <string>
 
-#include "tests/e2e/patience.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 
@@ -27,7 +27,7 @@ inline bool arms(RawClient& owner) {
 
 /// Starts the hold, or renews the one it started, for ten seconds; returns its admission or the
 /// error.
-inline Json keep_holding(RawClient& client, Json params) {
+inline Json renew_hold(RawClient& client, Json params) {
   params["slot"] = "kept";
   params["lease_ms"] = 10'000;
   const Json renewed = client.call("effect.update", {{"slot", "kept"}});
@@ -44,7 +44,7 @@ inline bool has_ended(const Program& program) {
 /// Waits for the end of `program`; calls `renew` at once and every second until then.
 inline Ended wait_renewing(Program& program, const std::function<void()>& renew) {
   constexpr std::chrono::seconds kRenewal{1};
-  for (auto waited = kRenewal; waited <= kLongPatience; waited += kRenewal) {
+  for (auto waited = kRenewal; waited <= kLongTimeout; waited += kRenewal) {
     renew();
     if (wait_until([&] { return has_ended(program); }, kRenewal)) break;
   }

@@ -43,23 +43,25 @@ std::string file_of(const Ball& ball) {
 std::string felt(RawClient& hand, const Json& direction, const std::string& frame,
                  double current_a) {
   const Json push{{"direction", direction}, {"frame", frame}, {"current_a", current_a}};
-  const auto time_ns = [](const Json& told) { return told["time_ns"].get<std::int64_t>(); };
+  const auto time_ns = [](const Json& telemetry) {
+    return telemetry["time_ns"].get<std::int64_t>();
+  };
   constexpr std::int64_t kSettledNs = 200'000'000;
   std::int64_t settled_ns = 0;
   Json effect;
-  Json told;
+  Json telemetry;
   hand.call("telemetry.subscribe", {{"rate_hz", 50}, {"fields", {"pins", "state", "reason"}}});
   do {
-    told = hand.notification("telemetry");
-    const Json held = keep_holding(hand, push);
+    telemetry = hand.notification("telemetry");
+    const Json held = renew_hold(hand, push);
     if (!held.contains("effect")) return held.dump();
     // In the ball's time: telemetry sent before this hold may still be unread. The hold is a new
     // one if the lease expired on a busy machine.
     if (held["effect"] != effect) settled_ns = time_ns(hand.call("device.status")) + kSettledNs;
     effect = held["effect"];
-  } while (time_ns(told) <= settled_ns && told["state"] == "armed");
-  if (told["state"] != "armed") return told.dump();
-  const Json& forces = told["pins"]["force_n"];
+  } while (time_ns(telemetry) <= settled_ns && telemetry["state"] == "armed");
+  if (telemetry["state"] != "armed") return telemetry.dump();
+  const Json& forces = telemetry["pins"]["force_n"];
   const auto pin = std::max_element(forces.begin(), forces.end()) - forces.begin();
   const Json at = hand.call("device.describe")["pins"][static_cast<std::size_t>(pin)]["position"];
   hand.call("effect.stop_all");
@@ -75,14 +77,14 @@ std::string felt(RawClient& hand, const Json& direction, const std::string& fram
 
 class OtherBall : public testing::TestWithParam<Ball> {
  protected:
-  void start(const std::string& believed) {
+  void start(const std::string& device) {
     home_.write("config/hedgehog/devices.d/truth.json", file_of(GetParam()));
-    home_.configure(R"({"device": ")" + believed + R"(", "simulator": {"device": "truth"}})");
+    home_.configure(R"({"device": ")" + device + R"(", "simulator": {"device": "truth"}})");
   }
   Home home_;
 };
 
-TEST_P(OtherBall, IsFoundAndThenPushesWhereItIsAsked) {
+TEST_P(OtherBall, IsIdentifiedAndThenPushesInTheRequestedDirection) {
   const Ball& ball = GetParam();
   start("hedgehog-86");
   {
@@ -131,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(Balls, OtherBall, testing::ValuesIn(kBalls),
 
 class Bringup : public testing::Test {
  protected:
-  void start(const std::string& truth) {
-    home_.write("config/hedgehog/devices.d/truth.json", truth);
+  void start(const std::string& device) {
+    home_.write("config/hedgehog/devices.d/truth.json", device);
     home_.configure(R"({"simulator": {"device": "truth"}})");
     daemon_.emplace(home_, std::vector<std::string>{"--speed", "2"});
   }
@@ -144,7 +146,7 @@ class Bringup : public testing::Test {
   std::optional<DaemonProcess> daemon_;
 };
 
-TEST_F(Bringup, APersonIsAskedAgainUntilTheAnswersCanBe) {
+TEST_F(Bringup, APersonIsPromptedUntilTheAnswersAreConsistent) {
   start(R"({"coil_matrix": [[0, 1, 0], [1, 0, 0], [0, 0, 1]]})");
   TerminalProgram screen(home_, hedgehogctl(), words(), where());
   RawClient hand(daemon_->port());
@@ -176,7 +178,7 @@ TEST_F(Bringup, APersonIsAskedAgainUntilTheAnswersCanBe) {
   }
 }
 
-TEST_F(Bringup, SidesAreNotAskedForBeforeTheResistancesAreRight) {
+TEST_F(Bringup, SidesAreNotPromptedForBeforeTheResistancesAreRight) {
   start(R"({"r25_ohm": [0.45, 0.9, 0.45]})");
   TerminalProgram screen(home_, hedgehogctl(), words(), where());
   EXPECT_EQ(screen.wait(), 0) << screen.shown();
@@ -184,7 +186,7 @@ TEST_F(Bringup, SidesAreNotAskedForBeforeTheResistancesAreRight) {
   EXPECT_THAT(screen.shown(), HasSubstr("Start hedgehogd with the new file, then calibrate"));
 }
 
-TEST_F(Bringup, WhatEvenALittleCurrentTripsIsSaidWithWhatToDo) {
+TEST_F(Bringup, TripsAtLowCurrentAreReportedWithARemedy) {
   start(R"({"r25_ohm": [0.45, 0.08, 0.45]})");
   const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
   EXPECT_EQ(ended.exit_code, 1);
@@ -194,7 +196,7 @@ TEST_F(Bringup, WhatEvenALittleCurrentTripsIsSaidWithWhatToDo) {
   EXPECT_EQ(home_.read("found.json"), "");
 }
 
-TEST_F(Bringup, AGainThatWouldWeakenTheCurrentsIsNamed) {
+TEST_F(Bringup, AGainThatReducesTheCurrentsIsReported) {
   start("{}");
   RawClient(daemon_->port()).call("output.set_gain", {{"gain", 0.5}});
   const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
@@ -214,7 +216,7 @@ TEST_F(Bringup, TheBoardProcessHasTheTrueBallToo) {
   const auto halved = [&] {
     // On a busy machine the ball, and with it the hold, may be lost.
     if (!arms(hand)) return false;
-    keep_holding(hand, {{"direction", "left"}, {"current_a", 1.2}});
+    renew_hold(hand, {{"direction", "left"}, {"current_a", 1.2}});
     flows_a = hand.notification("telemetry")["current_a"][1];
     return std::abs(flows_a - 0.6) < 0.03;
   };

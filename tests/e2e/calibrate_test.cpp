@@ -19,22 +19,22 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kOddBall = R"({"name": "odd", "r25_ohm": [0.400, 0.520, 0.463],
+constexpr const char* kUnequalBall = R"({"name": "odd", "r25_ohm": [0.400, 0.520, 0.463],
   "inductance_h": 0.0021, "force_slope_n_a": 0.0131, "limits": {"current_a": 12}})";
 
 class Calibrate : public testing::Test {
  protected:
   void SetUp() override {
     home_.configure(R"({"device": "odd"})");
-    home_.write("config/hedgehog/devices.d/odd.json", kOddBall);
+    home_.write("config/hedgehog/devices.d/odd.json", kUnequalBall);
   }
-  /// `meanwhile` is called repeatedly.
+  /// `while_running` is called repeatedly.
   Ended calibrate(
       const DaemonProcess& daemon, std::vector<std::string> more,
-      const std::function<void()>& meanwhile = [] {}) const {
+      const std::function<void()>& while_running = [] {}) const {
     more.insert(more.begin(), {"calibrate", "--out", home_.path("found.json")});
     Program program(home_, hedgehogctl(), more, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
-    return wait_renewing(program, meanwhile);
+    return wait_renewing(program, while_running);
   }
   Home home_;
 };
@@ -63,7 +63,7 @@ TEST_F(Calibrate, FindsTheSimulatedWindingsAndWritesAFileThatTheDaemonReads) {
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
 }
 
-TEST_F(Calibrate, ReplacesNothingUnasked) {
+TEST_F(Calibrate, ReplacesNoFileWithoutForce) {
   DaemonProcess daemon(home_);
   home_.write("found.json", "mine");
   const Ended ended = calibrate(daemon, {});
@@ -73,7 +73,7 @@ TEST_F(Calibrate, ReplacesNothingUnasked) {
   EXPECT_EQ(calibrate(daemon, {"--force", "--pushed", "x=up,y=down"}).exit_code, 64);
 }
 
-TEST_F(Calibrate, AWarmBallIsRefusedUnlessForcedAndThenCountsAsKnownBadly) {
+TEST_F(Calibrate, AWarmBallIsRefusedUnlessForcedAndThenHasAWideUncertainty) {
   DaemonProcess daemon(home_, {"--speed", "4"});
   RawClient hand(daemon.port());
   hand.call("events.subscribe", {{"types", {"effect_ended"}}});
@@ -94,7 +94,7 @@ TEST_F(Calibrate, AWarmBallIsRefusedUnlessForcedAndThenCountsAsKnownBadly) {
   EXPECT_GT(Json::parse(text, nullptr, true, true)["uncertainty"]["resistance"], 0.03);
 }
 
-TEST_F(Calibrate, CtrlCSwitchesTheCoilsOff) {
+TEST_F(Calibrate, CtrlCStopsTheCurrents) {
   DaemonProcess daemon(home_);
   Program running(home_, hedgehogctl(), {"calibrate", "--out", home_.path("found.json")},
                   {"HEDGEHOG_ADDRESS=" + daemon.socket()});
@@ -108,7 +108,7 @@ TEST_F(Calibrate, CtrlCSwitchesTheCoilsOff) {
   EXPECT_EQ(home_.read("found.json"), "");
 }
 
-TEST_F(Calibrate, ABallThatIsNotArmedIsNoWindingToMeasureByHand) {
+TEST_F(Calibrate, ADisarmedBallIsNotMeasured) {
   DaemonProcess daemon(home_);
   RawClient(daemon.port()).call("device.emergency_stop");
   const Ended ended = calibrate(daemon, {});
@@ -118,7 +118,7 @@ TEST_F(Calibrate, ABallThatIsNotArmedIsNoWindingToMeasureByHand) {
   EXPECT_THAT(ended.err, Not(HasSubstr("r25_ohm")));
 }
 
-TEST_F(Calibrate, ABallOfAnotherIsNoWindingToMeasureByHand) {
+TEST_F(Calibrate, AClaimedBallIsNotMeasured) {
   DaemonProcess daemon(home_);
   RawClient other(daemon.port());
   const Ended ended = calibrate(daemon, {}, [&] { other.call("device.claim"); });

@@ -21,7 +21,7 @@ class CalibrateThermal : public testing::Test {
  protected:
   Ended interrupted_after(const std::string& shown, std::vector<std::string> more) const {
     Program running(home_, hedgehogctl(), words(std::move(more)), where());
-    EXPECT_TRUE(running.says(shown));
+    EXPECT_TRUE(running.prints(shown));
     running.signal(SIGINT);
     return running.wait();
   }
@@ -61,7 +61,7 @@ std::string all_samples(const model::PlantParameters& ball) {
   return lines;
 }
 
-TEST_F(CalibrateThermal, GoesOnAfterAnInterruptionAndWritesWhatItFound) {
+TEST_F(CalibrateThermal, ContinuesAfterAnInterruptionAndWritesItsResult) {
   const Ended first = interrupted_after("of 30: at rest", {});
   EXPECT_EQ(first.exit_code, 130) << first.err;
   EXPECT_THAT(first.err, HasSubstr("The same command goes on from what"));
@@ -94,7 +94,7 @@ TEST_F(CalibrateThermal, GoesOnAfterAnInterruptionAndWritesWhatItFound) {
   EXPECT_EQ(run_daemon(home_, {"--check-config"}).exit_code, 0);
 }
 
-TEST_F(CalibrateThermal, AForeignProgressFileIsNotGoneOnWith) {
+TEST_F(CalibrateThermal, AForeignProgressFileIsNotContinued) {
   home_.write("found.json.progress", "something else");
   const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
   EXPECT_EQ(ended.exit_code, 65);

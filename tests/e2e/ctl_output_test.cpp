@@ -48,7 +48,7 @@ TEST_F(CtlOutput, ErrorsAreJsonForPrograms) {
   EXPECT_THAT(Json::parse(wrong.err)["error"]["message"].get<std::string>(), HasSubstr("--loud"));
 }
 
-TEST_F(CtlOutput, WhatIsNotUtf8IsAMistakeOfTheCommandLine) {
+TEST_F(CtlOutput, InvalidUtf8IsAUsageError) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"pulse", "\xff"},
                                                 {"play", "\xff"},
                                                 {"forecast", "5", "\xff"},
@@ -63,10 +63,10 @@ TEST_F(CtlOutput, WhatIsNotUtf8IsAMistakeOfTheCommandLine) {
   }
 }
 
-TEST_F(CtlOutput, NothingButJsonIsOnStdoutWhenTheDaemonGoes) {
+TEST_F(CtlOutput, OnlyJsonIsOnStdoutWhenTheDaemonEnds) {
   Program hold(home_, hedgehogctl(), {"hold", "up", "--json"},
                {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
-  ASSERT_TRUE(hold.says("accepted"));
+  ASSERT_TRUE(hold.prints("accepted"));
   daemon_.stop(SIGKILL);
   const Ended ended = hold.wait();
   EXPECT_EQ(ended.exit_code, kUnavailable);
@@ -75,8 +75,8 @@ TEST_F(CtlOutput, NothingButJsonIsOnStdoutWhenTheDaemonGoes) {
   for (std::string line; std::getline(lines, line);) EXPECT_TRUE(Json::accept(line)) << line;
 }
 
-TEST_F(CtlOutput, WhatWasProbablyMeantIsNamed) {
-  const std::vector<std::pair<std::vector<std::string>, const char*>> mistakes{
+TEST_F(CtlOutput, ErrorsNameTheNearestValidWord) {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> usage_errors{
       {{"statsu"}, "there is no verb 'statsu'; did you mean 'status'?"},
       {{"preview", "pulze", "left"}, "there is no verb 'pulze'; did you mean 'pulse'?"},
       {{"patterns", "improt", "x.ahap"}, "there is no verb 'improt'; did you mean 'import'?"},
@@ -85,17 +85,17 @@ TEST_F(CtlOutput, WhatWasProbablyMeantIsNamed) {
       {{"play", "--keyframes", "{"}, "keyframes: is not JSON"},
       {{"forecast", "left"}, "'left' is no current in ampere; a direction comes after it"},
   };
-  for (const auto& [words, error_message] : mistakes) {
+  for (const auto& [words, error_message] : usage_errors) {
     const Ended ended = ctl(words);
     EXPECT_EQ(ended.exit_code, kUsage) << error_message;
     EXPECT_THAT(ended.err, HasSubstr(error_message));
   }
 }
 
-TEST_F(CtlOutput, APatternThatIsNotThereIsNoInput) {
-  const Ended nope = ctl({"play", "nope"});
-  EXPECT_EQ(nope.exit_code, kNoInput);
-  EXPECT_THAT(nope.err, HasSubstr("nope"));
+TEST_F(CtlOutput, AMissingPatternIsExitCode66) {
+  const Ended missing = ctl({"play", "nope"});
+  EXPECT_EQ(missing.exit_code, kNoInput);
+  EXPECT_THAT(missing.err, HasSubstr("nope"));
   EXPECT_EQ(ctl({"patterns", "get", "nope"}).exit_code, kNoInput);
   EXPECT_EQ(ctl({"play", "nope.json"}).exit_code, kNoInput);
 }
@@ -118,17 +118,18 @@ TEST_F(CtlOutput, CheckHasExitCodesOfItsOwnAndIsJsonForPrograms) {
   EXPECT_THAT(json["message"].get<std::string>(), HasSubstr("disarmed: emergency_stop"));
   EXPECT_EQ(json["measures"]["limit"]["value"], 0);
   ctl({"arm"});
-  const Ended mistaken = ctl({"check", "--json", "--lout"});
-  EXPECT_EQ(mistaken.exit_code, 3);
-  EXPECT_EQ(Json::parse(mistaken.out)["state"], "UNKNOWN");
+  const Ended usage_error = ctl({"check", "--json", "--lout"});
+  EXPECT_EQ(usage_error.exit_code, 3);
+  EXPECT_EQ(Json::parse(usage_error.out)["state"], "UNKNOWN");
   daemon_.stop();
-  const Ended gone = ctl({"check", "--json"});
-  EXPECT_EQ(gone.exit_code, 2);
-  EXPECT_EQ(Json::parse(gone.out)["state"], "CRITICAL");
-  EXPECT_THAT(Json::parse(gone.out)["message"].get<std::string>(), HasSubstr("no daemon answers"));
+  const Ended without_daemon = ctl({"check", "--json"});
+  EXPECT_EQ(without_daemon.exit_code, 2);
+  EXPECT_EQ(Json::parse(without_daemon.out)["state"], "CRITICAL");
+  EXPECT_THAT(Json::parse(without_daemon.out)["message"].get<std::string>(),
+              HasSubstr("no daemon answers"));
 }
 
-TEST_F(CtlOutput, NothingIsCutIntoAPipe) {
+TEST_F(CtlOutput, NothingIsTruncatedInAPipe) {
   const std::string name = "A game with a name of more than twenty characters";
   other_.call("hello", {{"client", name}});
   EXPECT_THAT(ctl({"clients"}).out, HasSubstr(name + "  tcp "));

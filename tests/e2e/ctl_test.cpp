@@ -37,14 +37,14 @@ class Ctl : public testing::Test {
   }
   /// Starts a push to the left, or renews it.
   void push(double strength_a) {
-    keep_holding(other_, {{"direction", "left"}, {"current_a", strength_a}});
+    renew_hold(other_, {{"direction", "left"}, {"current_a", strength_a}});
   }
   /// The largest coil current of either sign.
   double current_a() {
     const Json currents = other_.call("device.status")["current_a"];
-    double most = 0.0;
-    for (const Json& current : currents) most = std::max(most, std::abs(current.get<double>()));
-    return most;
+    double max_a = 0.0;
+    for (const Json& current : currents) max_a = std::max(max_a, std::abs(current.get<double>()));
+    return max_a;
   }
 
   Home home_;
@@ -52,7 +52,7 @@ class Ctl : public testing::Test {
   RawClient other_{daemon_.port()};
 };
 
-TEST_F(Ctl, StatusIsThereForPeopleAndForPrograms) {
+TEST_F(Ctl, StatusIsPrintedForPeopleAndForPrograms) {
   const Ended text = ctl({"status"});
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_THAT(text.err, IsEmpty());
@@ -63,13 +63,13 @@ TEST_F(Ctl, StatusIsThereForPeopleAndForPrograms) {
   EXPECT_THAT(text.out, Not(HasSubstr("\033"))) << "no colour into a file";
   const Ended json = ctl({"status", "--json"});
   EXPECT_EQ(json.exit_code, 0);
-  const Json told = Json::parse(json.out);
-  const Json asked = other_.call("device.status");
-  for (const auto& [key, value] : asked.items()) EXPECT_TRUE(told.contains(key)) << key;
-  EXPECT_EQ(told["state"], "armed");
+  const Json printed = Json::parse(json.out);
+  const Json status = other_.call("device.status");
+  for (const auto& [key, value] : status.items()) EXPECT_TRUE(printed.contains(key)) << key;
+  EXPECT_EQ(printed["state"], "armed");
 }
 
-TEST_F(Ctl, PlayingVerbsStayUntilTheEffectHasEnded) {
+TEST_F(Ctl, PlayingVerbsRunUntilTheEffectHasEnded) {
   struct Case {
     std::vector<std::string> words;
     const char* line;
@@ -100,11 +100,11 @@ TEST_F(Ctl, PlayingVerbsStayUntilTheEffectHasEnded) {
   EXPECT_EQ(Json::parse(event)["reason"], "completed");
 }
 
-TEST_F(Ctl, AnEffectThatSomebodyEndsExitsWith1) {
+TEST_F(Ctl, AnEffectEndedByAnotherClientExitsWith1) {
   const Ended ended = play_unexpired([&] {
     other_.call("device.arm");
     Program hold(home_, hedgehogctl(), {"hold", "up"}, variables());
-    EXPECT_TRUE(hold.says("hold up"));
+    EXPECT_TRUE(hold.prints("hold up"));
     // An effect that ends before its first tick counts as delivered to 0 %.
     EXPECT_TRUE(eventually([&] { return current_a() > 4.0 || has_ended(hold); }));
     other_.call("device.emergency_stop");
@@ -127,7 +127,7 @@ TEST_F(Ctl, CtrlCExitsWith130AndTheCoilsGoToZero) {
   EXPECT_EQ(other_.call("device.status")["state"], "armed");
 }
 
-TEST_F(Ctl, CheckIsOkButForALoopThatABusyMachineMakesLateAndCountsTheOthers) {
+TEST_F(Ctl, CheckIsOkExceptForALateLoopOfABusyMachineAndCountsTheOthers) {
   const std::string well = "^HEDGEHOG (OK - ball armed|WARNING - ball armed, its loop is late), ";
   other_.call("hello");
   EXPECT_THAT(ctl({"check"}).out, ContainsRegex(well + "[^|]* \\| temperature=.* clients=1\n$"));
@@ -155,7 +155,7 @@ TEST_F(Ctl, StopLatchesUntilArm) {
   EXPECT_EQ(ctl({"pulse", "left"}).exit_code, 0);
 }
 
-TEST_F(Ctl, GainIsSetAndSaid) {
+TEST_F(Ctl, GainIsSetAndPrinted) {
   EXPECT_THAT(ctl({"gain"}).out, HasSubstr("gain 1.00"));
   EXPECT_THAT(ctl({"gain", "0.5"}).out, HasSubstr("gain 0.50"));
   EXPECT_EQ(Json::parse(ctl({"gain", "--json"}).out)["gain"], 0.5);
@@ -165,7 +165,7 @@ TEST_F(Ctl, GainIsSetAndSaid) {
   EXPECT_THAT(wrong.err, HasSubstr("gain: 3 is above 1"));
 }
 
-TEST_F(Ctl, ForecastSaysHowLong) {
+TEST_F(Ctl, ForecastPrintsTheTime) {
   const Ended text = ctl({"forecast", "15", "left"});
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_THAT(text.out, ContainsRegex("15\\.0 A from now, left:\n  derated +in [0-9]+ s\n"));
@@ -175,34 +175,34 @@ TEST_F(Ctl, ForecastSaysHowLong) {
   EXPECT_GT(json["sustainable_a"], 5.0);
 }
 
-TEST_F(Ctl, EventsGoOnUntilCtrlC) {
+TEST_F(Ctl, EventsArePrintedUntilCtrlC) {
   Program events(home_, hedgehogctl(), {"events"}, variables());
-  ASSERT_TRUE(events.says("armed, 15.0 A allowed"));
+  ASSERT_TRUE(events.prints("armed, 15.0 A allowed"));
   EXPECT_EQ(ctl({"pulse", "left"}).exit_code, 0);
-  EXPECT_TRUE(events.says("effect_started  #"));
-  EXPECT_TRUE(events.says("  completed, 150 ms"));
+  EXPECT_TRUE(events.prints("effect_started  #"));
+  EXPECT_TRUE(events.prints("  completed, 150 ms"));
   other_.call("device.emergency_stop");
-  EXPECT_TRUE(events.says("state_changed  disarmed: emergency_stop"));
+  EXPECT_TRUE(events.prints("state_changed  disarmed: emergency_stop"));
   events.signal(SIGINT);
   EXPECT_EQ(events.wait().exit_code, kInterrupted);
 }
 
-TEST_F(Ctl, EventsGoOnAfterWhatHasHappened) {
+TEST_F(Ctl, EventsContinueAfterTheHistory) {
   EXPECT_EQ(ctl({"pulse", "left"}).exit_code, 0);
   Program events(home_, hedgehogctl(),
                  {"events", "--since", "1h", "-f", "--types", "effect_ended", "--json"},
                  variables());
-  ASSERT_TRUE(events.says("effect_ended"));
+  ASSERT_TRUE(events.prints("effect_ended"));
   EXPECT_EQ(ctl({"pulse", "right"}).exit_code, 0);
-  const auto told = [&] {
+  const auto printed = [&] {
     std::vector<int> effects;
     std::istringstream lines(events.out());
     for (std::string line; std::getline(lines, line);)
       effects.push_back(Json::parse(line)["effect"]);
     return effects;
   };
-  ASSERT_TRUE(eventually([&] { return told().size() == 2; })) << events.out();
-  EXPECT_NE(told()[0], told()[1]);
+  ASSERT_TRUE(eventually([&] { return printed().size() == 2; })) << events.out();
+  EXPECT_NE(printed()[0], printed()[1]);
   events.signal(SIGINT);
   EXPECT_EQ(events.wait().exit_code, kInterrupted);
   EXPECT_EQ(ctl({"events", "--since", ""}).exit_code, kUsage);
@@ -215,15 +215,15 @@ TEST_F(Ctl, TelemetryIsOneObjectALine) {
   std::istringstream lines(ended.out);
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    const Json told = Json::parse(line);
-    EXPECT_EQ(told.size(), 3u) << line;
-    EXPECT_TRUE(told.contains("temperature_c") && told.contains("pin")) << line;
+    const Json printed = Json::parse(line);
+    EXPECT_EQ(printed.size(), 3u) << line;
+    EXPECT_TRUE(printed.contains("temperature_c") && printed.contains("pin")) << line;
   }
   EXPECT_EQ(count, 3);
   EXPECT_EQ(ctl({"telemetry", "--fields", "bogus"}).exit_code, kUsage);
 }
 
-TEST_F(Ctl, ClientsNamesWhoPlaysWhat) {
+TEST_F(Ctl, ClientsListsTheEffectsOfEach) {
   other_.call("hello", {{"client", "Racer/1.2"}});
   const Json hold{{"direction", "left"}, {"lease_ms", 10'000}};
   const Ended ended = ctl({"clients"}, [&] { other_.call("effect.hold", hold); });
@@ -257,8 +257,8 @@ TEST_F(Ctl, PinsShowsThePush) {
   EXPECT_EQ(ctl({"pins", "--count", "2"}).exit_code, kUsage);
 }
 
-TEST_F(Ctl, MistakesAreUsage) {
-  const std::vector<std::pair<std::vector<std::string>, const char*>> mistakes{
+TEST_F(Ctl, UsageErrorsExitWith64) {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> usage_errors{
       {{"frobnicate"}, "there is no verb 'frobnicate'"},
       {{"pulse", "sideways"}, "there is no 'sideways'"},
       {{"pulse", "99"}, "99 is above 85"},
@@ -271,7 +271,7 @@ TEST_F(Ctl, MistakesAreUsage) {
       {{"status", "--address", "foo:bar"}, "is no address of a daemon"},
       {{"watch"}, "needs a terminal"},
   };
-  for (const auto& [words, error_message] : mistakes) {
+  for (const auto& [words, error_message] : usage_errors) {
     const Ended ended = ctl(words);
     EXPECT_EQ(ended.exit_code, kUsage) << error_message;
     EXPECT_THAT(ended.err, HasSubstr(error_message));
@@ -279,7 +279,7 @@ TEST_F(Ctl, MistakesAreUsage) {
   }
 }
 
-TEST(CtlAlone, SaysWhereItLookedWhenNoDaemonAnswers) {
+TEST(CtlAlone, NamesTheAddressesTriedWhenNoDaemonResponds) {
   try {
     RawClient occupied(7586);
     GTEST_SKIP() << "a daemon runs on this machine";

@@ -14,8 +14,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/e2e/patience.h"
 #include "tests/e2e/programs.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {

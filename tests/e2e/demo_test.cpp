@@ -70,7 +70,7 @@ std::vector<double> currents(const std::string& text, const std::string& words) 
   return found;
 }
 
-TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
+TEST_F(Demo, PlaysEveryChapterAndMeetsItsChecks) {
   Program demo(home_, installed_, {"demo", "--private"}, variables());
   const Ended ended = demo.wait();
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
@@ -87,9 +87,9 @@ TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
   const auto passed = captures(ended.out, R"(circle .* A   pins [\d ]+ … \((\d+) passed)");
   ASSERT_EQ(passed.size(), 1u) << ended.out;
   EXPECT_GE(std::stoi(passed[0]), 55);
-  const auto shaken = captures(ended.out, R"(vibrate down .* A   (\d+) pins felt)");
-  ASSERT_EQ(shaken.size(), 1u) << ended.out;
-  EXPECT_GE(std::stoi(shaken[0]), 10);
+  const auto vibrations = captures(ended.out, R"(vibrate down .* A   (\d+) pins felt)");
+  ASSERT_EQ(vibrations.size(), 1u) << ended.out;
+  EXPECT_GE(std::stoi(vibrations[0]), 10);
   EXPECT_LT(ended.out.find("hold up            15."), ended.out.find("derating")) << ended.out;
   EXPECT_THAT(ended.out, testing::HasSubstr(" ticks, none skipped"));
   EXPECT_EQ(captures(ended.out, R"( s  (derating) +1\d\.\d A allowed)").size(), 1u) << ended.out;
@@ -112,7 +112,7 @@ TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
 
 TEST_F(Demo, CtrlCEndsItsDaemonToo) {
   Program demo(home_, installed_, {"demo", "--private"}, variables());
-  ASSERT_TRUE(demo.says("pulse left"));
+  ASSERT_TRUE(demo.prints("pulse left"));
   EXPECT_EQ(processes(), 1);
   EXPECT_EQ(left_behind().size(), 1u);
   demo.signal(SIGINT);
@@ -124,14 +124,15 @@ TEST_F(Demo, CtrlCEndsItsDaemonToo) {
 }
 
 TEST_F(Demo, WithoutATemporaryFolderIsAnErrorOfItsKind) {
-  const std::vector<std::string> nowhere{"TMPDIR=" + home_.path("nowhere")};
-  const Ended ended = Program(home_, installed_, {"demo", "--private", "--json"}, nowhere).wait();
+  const std::vector<std::string> missing_folder{"TMPDIR=" + home_.path("nowhere")};
+  const Ended ended =
+      Program(home_, installed_, {"demo", "--private", "--json"}, missing_folder).wait();
   EXPECT_EQ(ended.exit_code, 69);
   EXPECT_THAT(ended.err, testing::StartsWith(R"({"error":{"code":null,)"));
   EXPECT_THAT(ended.err, testing::HasSubstr("no temporary folder"));
 }
 
-TEST_F(Demo, OnATerminalItDrawsAndCtrlCGivesTheTerminalBack) {
+TEST_F(Demo, OnATerminalItDrawsAndCtrlCRestoresTheTerminal) {
   TerminalProgram demo(home_, installed_, {"demo", "--private"}, variables());
   ASSERT_TRUE(demo.shows("\033[?1049h"));
   EXPECT_TRUE(demo.shows("a push has a side"));
@@ -140,7 +141,7 @@ TEST_F(Demo, OnATerminalItDrawsAndCtrlCGivesTheTerminalBack) {
   demo.type("\x03");
   EXPECT_EQ(demo.wait(), 130);
   EXPECT_THAT(demo.shown(), testing::HasSubstr("\033[?25h\033[?1049l"));
-  EXPECT_TRUE(demo.is_as_a_shell_leaves_it());
+  EXPECT_TRUE(demo.is_restored());
   EXPECT_THAT(left_behind(), testing::IsEmpty());
   EXPECT_EQ(processes(), 0);
 }

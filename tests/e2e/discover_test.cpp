@@ -73,7 +73,7 @@ TEST_F(Discover, ListsTheInstancesOfThisMachine) {
   EXPECT_EQ(found["network_failure"], nullptr);
 }
 
-TEST_F(Discover, ListsTheBallsThatAnswerWhereThereIsNoAvahi) {
+TEST_F(Discover, ListsTheRespondingBallsWithoutAvahi) {
   const MdnsResponder responder(mdns_announcement("192.0.2.9", 7587));
   mdns_port_ = responder.port();
   const Ended ended = ctl({"discover", "--json"});
@@ -84,7 +84,7 @@ TEST_F(Discover, ListsTheBallsThatAnswerWhereThereIsNoAvahi) {
   EXPECT_EQ(network[0]["serial"], "0007");
 }
 
-TEST_F(Discover, ListsTheBallsThatAvahiKnows) {
+TEST_F(Discover, ListsTheBallsOfAvahi) {
   write_avahi_browse(
       "[ \"$*\" = '--parsable --resolve --terminate --no-db-lookup _hedgehog._tcp' ] || exit 9\n"
       "echo '=;eth0;IPv4;ball-9;_hedgehog._tcp;local;lab.local;192.0.2.9;7586;\"tls=1\"'\n");
@@ -149,7 +149,7 @@ TEST_F(Discover, AHungDaemonDelaysNoOther) {
                {"RUNTIME_DIRECTORY=" + home_.path("service"), "PATH=" + home_.path("bin")});
   RawClient client(single_.port());
   EXPECT_TRUE(eventually([&] { return client.call("device.status")["state"] == "disarmed"; }));
-  EXPECT_TRUE(stop.says("hedgehogd: ")) << "while the other is still waited for";
+  EXPECT_TRUE(stop.prints("hedgehogd: ")) << "while the other is still waited for";
   instance_.signal(SIGCONT);
   EXPECT_EQ(stop.wait().exit_code, 0);
 }

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "tests/e2e/patience.h"
+#include "tests/e2e/timeout.h"
 #include "tests/e2e/web_fixture.h"
 
 namespace hedgehog::e2e {
@@ -27,79 +27,79 @@ std::string many_requests() {
 class HeldBack : public testing::Test {
  protected:
   /// No client is disconnected for reading slowly.
-  struct PatientHome : Home {
-    PatientHome() { configure(R"({"connections": {"write_timeout_s": 600}})"); }
+  struct LongTimeoutHome : Home {
+    LongTimeoutHome() { configure(R"({"connections": {"write_timeout_s": 600}})"); }
   };
   HeldBack() { watcher_.call("events.subscribe", {{"scope", "all"}}); }
-  bool becomes(const std::string& state) {
+  bool reaches(const std::string& state) {
     return wait_until([&] { return watcher_.call("device.status")["state"] == state; });
   }
 
-  PatientHome home_;
+  LongTimeoutHome home_;
   DaemonProcess daemon_{home_};
   RawClient watcher_{daemon_.port()};
 };
 
-TEST_F(HeldBack, AnEmergencyStopIsCarriedOutAtOnceAndWhatCameBeforeArmsNothing) {
+TEST_F(HeldBack, AnEmergencyStopIsExecutedAtOnceAndEarlierRequestsDoNotArm) {
   RawClient client(daemon_.port());
   client.send(many_requests() + line("arm", "device.arm") +
               line("push", "effect.hold", {{"direction", "left"}}) +
               line("stop", "device.emergency_stop"));
-  EXPECT_TRUE(becomes("disarmed"));
+  EXPECT_TRUE(reaches("disarmed"));
   int described = 0;
-  Json answers;
-  while (described < kUnread || answers.size() < 3) {
-    const Json answer = client.answer();
-    if (answer["id"] == "many")
-      described += answer.contains("result");
+  Json responses;
+  while (described < kUnread || responses.size() < 3) {
+    const Json response = client.response();
+    if (response["id"] == "many")
+      described += response.contains("result");
     else
-      answers[answer["id"].get<std::string>()] = answer;
+      responses[response["id"].get<std::string>()] = response;
   }
   EXPECT_EQ(described, kUnread);
-  EXPECT_EQ(answers["stop"]["result"]["state"], "disarmed");
-  EXPECT_EQ(answers["arm"]["error"]["code"], -32001);
-  EXPECT_EQ(answers["push"]["error"]["code"], -32001);
+  EXPECT_EQ(responses["stop"]["result"]["state"], "disarmed");
+  EXPECT_EQ(responses["arm"]["error"]["code"], -32001);
+  EXPECT_EQ(responses["push"]["error"]["code"], -32001);
   EXPECT_EQ(watcher_.call("device.status")["state"], "disarmed");
   EXPECT_EQ(client.call("device.arm")["state"], "armed") << "what comes after it is carried out";
 }
 
-TEST_F(HeldBack, WhatIsSentAfterTheStopIsCarriedOutThoughOlderRequestsAreStillHeld) {
+TEST_F(HeldBack, RequestsAfterTheStopAreExecutedWhileOlderOnesAreHeld) {
   RawClient client(daemon_.port());
   client.send(many_requests() + line("stop", "device.emergency_stop"));
-  ASSERT_TRUE(becomes("disarmed"));
+  ASSERT_TRUE(reaches("disarmed"));
   client.send(line("arm", "device.arm"));
-  Json answer;
-  do answer = client.answer();
-  while (answer["id"] != "arm");
-  EXPECT_EQ(answer["result"]["state"], "armed") << answer;
+  Json response;
+  do response = client.response();
+  while (response["id"] != "arm");
+  EXPECT_EQ(response["result"]["state"], "armed") << response;
 }
 
 TEST_F(HeldBack, OnTheUnixSocketToo) {
   RawClient client(daemon_.socket());
   client.send(many_requests() + line("stop", "device.emergency_stop"));
-  EXPECT_TRUE(becomes("disarmed"));
+  EXPECT_TRUE(reaches("disarmed"));
 }
 
 TEST_F(HeldBack, OnWebSocketToo) {
   WebSocketClient client(daemon_.http_port());
   for (int i = 0; i < kUnread; ++i) client.text(line("many", "device.describe"));
   client.text(line("stop", "device.emergency_stop"));
-  EXPECT_TRUE(becomes("disarmed"));
+  EXPECT_TRUE(reaches("disarmed"));
 }
 
-TEST_F(HeldBack, WhoStopsSendingEndsItsEffectsAtOnceAndGetsItsAnswers) {
+TEST_F(HeldBack, AHalfCloseEndsTheEffectsAtOnceAndTheResponsesAreSent) {
   RawClient client(daemon_.port());
   client.send(line("hold", "effect.hold", {{"direction", "left"}, {"lease_ms", 10000}}) +
               many_requests());
   EXPECT_EQ(watcher_.notification("event", "effect_started")["type"], "effect_started");
   client.half_close();
   EXPECT_EQ(watcher_.notification("event", "effect_ended")["reason"], "disconnected");
-  EXPECT_EQ(client.answer()["id"], "hold");
-  for (int i = 0; i < kUnread; ++i) ASSERT_EQ(client.answer()["id"], "many") << i;
+  EXPECT_EQ(client.response()["id"], "hold");
+  for (int i = 0; i < kUnread; ++i) ASSERT_EQ(client.response()["id"], "many") << i;
   EXPECT_TRUE(client.closed_by_daemon());
 }
 
-TEST_F(HeldBack, StopsWithoutEndStopTheBallAndEndWithTheirConnection) {
+TEST_F(HeldBack, AFloodOfStopsStopsTheBallAndEndsWithItsConnection) {
   RawClient client(daemon_.port());
   client.send(many_requests());
   std::string stops;
@@ -108,12 +108,12 @@ TEST_F(HeldBack, StopsWithoutEndStopTheBallAndEndWithTheirConnection) {
   for (int i = 0; i < 10'000 && open; ++i) open = client.send(stops);
   EXPECT_FALSE(open) << "its answers fill its queue";
   EXPECT_TRUE(daemon_.logs("does not read"));
-  EXPECT_TRUE(becomes("disarmed"));
+  EXPECT_TRUE(reaches("disarmed"));
   EXPECT_TRUE(
       wait_until([&] { return watcher_.call("connection.list")["connections"].size() == 1; }));
 }
 
-TEST(ReadSlowly, IsNotCutAsLongAsItTakesSomething) {
+TEST(ReadSlowly, IsNotDisconnectedWhileItReadsAnything) {
   constexpr int kTimeoutS = 2;
   const Home home;
   home.configure(R"({"connections": {"write_timeout_s": )" + std::to_string(kTimeoutS) + "}}");

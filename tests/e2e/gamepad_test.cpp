@@ -16,10 +16,10 @@
 #include "model/quaternion.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/json_vector.h"
-#include "tests/e2e/patience.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -147,7 +147,7 @@ TEST_F(Gamepad, AForceFromTheRightPushesTheRightSideAndEndsByItself) {
             300'000'000);
 }
 
-TEST_F(Gamepad, OneWithoutAnEndGoesOnUntilItIsErased) {
+TEST_F(Gamepad, OneWithoutAnEndPlaysUntilItIsErased) {
   EXPECT_EQ(upload(push_right(0)), 0);
   device_.command(gamepad::PlayCommand{0, 1});
   EXPECT_TRUE(flows({0, -1, 0}));
@@ -180,7 +180,7 @@ TEST_F(Gamepad, TiltingTheBallMovesTheStick) {
   EXPECT_TRUE(eventually([&] { return device_.stick() == StickPosition{}; }));
 }
 
-TEST(GamepadProgram, WithoutUinputItEndsWith69AndSaysWhatHelps) {
+TEST(GamepadProgram, WithoutUinputItEndsWith69AndARemedy) {
   const Home home;
   const Ended ended = Program(home, hedgehog_gamepad(), {"--device", home.path("uinput")}).wait();
   EXPECT_EQ(ended.exit_code, 69);

@@ -16,7 +16,7 @@
 namespace hedgehog::e2e {
 namespace {
 
-TEST(Start, SaysThatItSimulatesAndWhereItListens) {
+TEST(Start, LogsThatItSimulatesAndWhereItListens) {
   const Home home;
   DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   EXPECT_NE(daemon.log().find("SIMULATOR"), std::string::npos);
@@ -32,14 +32,14 @@ TEST(Start, SaysThatItSimulatesAndWhereItListens) {
   EXPECT_NE(::stat(daemon.socket().c_str(), &s), 0);
 }
 
-TEST(Start, TheFirstClientFindsAnArmedBallAndTheLogNoWarningOfIt) {
+TEST(Start, TheFirstClientFindsAnArmedBallAndTheLogHasNoWarning) {
   const Home home;
   const DaemonProcess daemon(home);
   EXPECT_EQ(daemon.log().find("never_armed"), std::string::npos) << "it arms itself at once";
   EXPECT_EQ(RawClient(daemon.port()).call("device.status")["state"], "armed");
 }
 
-TEST(Start, ADeadSocketIsTakenOverAndALivingOneIsNot) {
+TEST(Start, AStaleSocketIsReplacedAndOneInUseIsNot) {
   const Home home;
   DaemonProcess killed(home);
   EXPECT_EQ(killed.stop(SIGKILL), -1);
@@ -50,14 +50,14 @@ TEST(Start, ADeadSocketIsTakenOverAndALivingOneIsNot) {
   EXPECT_TRUE(RawClient(daemon.socket()).call("ping").contains("time_ns"));
 }
 
-TEST(Start, AddressesThatOthersCanReachAreRefused) {
+TEST(Start, RemotelyReachableAddressesAreRefused) {
   const Home home;
   const Ended ended = run_daemon(home, {"--simulate", "--listen", "0.0.0.0:0"});
   EXPECT_EQ(ended.exit_code, kConfig);
   EXPECT_NE(ended.err.find("other machines could reach"), std::string::npos) << ended.err;
 }
 
-TEST(Start, MistakesHaveTheirExitCodes) {
+TEST(Start, ErrorsHaveTheirExitCodes) {
   const Home home;
   EXPECT_EQ(run_daemon(home, {"--nonsense"}).exit_code, kUsage);
   EXPECT_EQ(run_daemon(home, {"--speed", "10"}).exit_code, kUsage);
@@ -124,7 +124,7 @@ Sigterm sigterm(DaemonProcess::Backend backend) {
   return {true, daemon.log().find("coils off") != std::string::npos};
 }
 
-TEST(End, SigtermMakesTheCoilsSafeTellsEverybodyAndExitsWith0) {
+TEST(End, SigtermMakesTheCoilsSafeNotifiesClientsAndExitsWith0) {
   const Sigterm end = sigterm(DaemonProcess::Backend::kInStep);
   EXPECT_TRUE(end.pushed);
   EXPECT_TRUE(end.coils_off);
@@ -145,7 +145,7 @@ TEST(End, SigintIsAnOrderlyStopToo) {
   EXPECT_EQ(daemon.stop(SIGINT), 0);
 }
 
-TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
+TEST(Reload, AppliesNewLimitsAndKeepsTheOldOnesWhenTheFileIsInvalid) {
   const Home home;
   home.configure("{}");
   DaemonProcess daemon(home);
@@ -170,7 +170,7 @@ TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
   EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8);
 }
 
-TEST(StateStore, AnEmergencyStopOutlivesEvenAKill) {
+TEST(StateStore, AnEmergencyStopPersistsOverAKill) {
   const Home home;
   {
     DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
@@ -200,7 +200,7 @@ TEST(StateStore, AnEmergencyStopOutlivesEvenAKill) {
   EXPECT_EQ(RawClient(again.port()).call("hello")["state"], "armed");
 }
 
-TEST(StateStore, ADiskThatRefusesAnEmergencyStopIsToldOfAndKeepsNoOrderlyStop) {
+TEST(StateStore, AnUnpersistedEmergencyStopIsReportedAndTheStopIsNotOrderly) {
   const Home home;
   DaemonProcess(home).stop();
   ASSERT_EQ(Json::parse(home.read("state/hedgehog/state.json"))["clean_stop"], true);
@@ -229,7 +229,7 @@ bool trips_by_an_open_sensor(const Home& home) {
   return true;
 }
 
-TEST(StateStore, ATripIsRecordedReplayableAndOutlivesARestart) {
+TEST(StateStore, ATripIsRecordedReplayableAndPersistsOverARestart) {
   std::unique_ptr<Home> fresh;
   ASSERT_TRUE(eventually([&] {
     fresh = std::make_unique<Home>();
@@ -280,7 +280,7 @@ TEST(StateStore, AHotBallIsHotAfterARestart) {
   EXPECT_NEAR(held["current_a"].get<double>(), 5.0, 1e-6);
 }
 
-TEST(StateStore, TheGainIsTheOwners) {
+TEST(StateStore, TheGainPersistsOverARestart) {
   const Home home;
   {
     DaemonProcess daemon(home);

@@ -13,7 +13,7 @@ namespace hedgehog::e2e {
 namespace {
 
 /// A desktop terminal's shell passes JOURNAL_STREAM on: the journal stream of another process.
-TEST(Log, AJournalThatReadsAnotherProgramSilencesNothing) {
+TEST(Log, AJournalOfAnotherProgramDisablesNoOutput) {
   const Home home;
   DaemonProcess daemon(home, {}, {"JOURNAL_STREAM=8:12345"});
   EXPECT_TRUE(daemon.logs("listening on "));

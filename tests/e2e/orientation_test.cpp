@@ -33,9 +33,10 @@ constexpr int kSamples = 30;
 Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
 
 /// A ball that the test turns, and its measured currents.
-class World {
+class TurnedBall {
  public:
-  explicit World(const DaemonProcess& daemon) : observer_(daemon.port()), hand_(daemon.port()) {
+  explicit TurnedBall(const DaemonProcess& daemon)
+      : observer_(daemon.port()), hand_(daemon.port()) {
     observer_.call("telemetry.subscribe",
                    {{"rate_hz", 100}, {"fields", {"current_a", "field", "orientation"}}});
   }
@@ -46,7 +47,7 @@ class World {
   RawClient& hand() { return hand_; }
 
   /// Waits for the next telemetry.
-  void look() { now_ = observer_.notification("telemetry"); }
+  void await_telemetry() { now_ = observer_.notification("telemetry"); }
   double current_a() const { return norm(vector_of(now_["current_a"])); }
   /// At least `current_a` is measured while the field is on: the measurement is one frame older
   /// than the field, so at the end of a push it may be non-zero when no current is requested any
@@ -99,79 +100,80 @@ class Indicator : public testing::TestWithParam<Case> {
   Home home_;
 };
 
-TEST_P(Indicator, PointsUpInTheRoomHoweverTheBallIsTurned) {
+TEST_P(Indicator, PointsUpInTheWorldForAnyOrientation) {
   DaemonProcess daemon(home_);
-  World world(daemon);
+  TurnedBall turned_ball(daemon);
   Program program(home_, hedgehog_orientation(), words(), variables(daemon));
   for (const Quaternion& q : turns()) {
-    ASSERT_FALSE(world.turn(q).contains("code"));
+    ASSERT_FALSE(turned_ball.turn(q).contains("code"));
     ASSERT_TRUE(eventually([&] {
-      world.look();
-      return world.pushes_up(q, GetParam().flows_a);
+      turned_ball.await_telemetry();
+      return turned_ball.pushes_up(q, GetParam().flows_a);
     })) << "never up at w "
         << q.w;
     // The direction stays: no sample with a current deviates by as much as the next pin.
     int pushing = 0;
     ASSERT_TRUE(eventually([&] {
-      world.look();
-      if (world.pushes(GetParam().flows_a)) {
+      turned_ball.await_telemetry();
+      if (turned_ball.pushes(GetParam().flows_a)) {
         ++pushing;
-        EXPECT_LT(world.from_up_deg(q), kPinPitchDeg);
+        EXPECT_LT(turned_ball.from_up_deg(q), kPinPitchDeg);
       }
       return pushing == kSamples;
     }));
   }
-  EXPECT_TRUE(program.says("up is up"));
+  EXPECT_TRUE(program.prints("up is up"));
   program.signal(SIGTERM);
   EXPECT_EQ(program.wait().exit_code, 130);
   EXPECT_TRUE(eventually([&] {
-    world.look();
-    return world.current_a() < 0.05;
+    turned_ball.await_telemetry();
+    return turned_ball.current_a() < 0.05;
   }));
 }
 
-TEST_P(Indicator, ASilentSensorEndsThePushAndItComesBackWithTheSensor) {
+TEST_P(Indicator, ASilentSensorEndsThePushWhichResumesWithTheSensor) {
   home_.configure(R"({"imu": {"type": "external"}})");
   DaemonProcess daemon(home_);
-  World world(daemon);
+  TurnedBall turned_ball(daemon);
   const Quaternion q = model::axis_angle({1, 0, 0}, 90);
   // A ball that has never received an orientation has no sensor, and the indicator is refused.
   ASSERT_TRUE(eventually([&] {
-    world.feed(q);
-    return world.hand().call("device.status")["orientation"].is_object();
+    turned_ball.feed(q);
+    return turned_ball.hand().call("device.status")["orientation"].is_object();
   }));
   Program program(home_, hedgehog_orientation(), words(), variables(daemon));
-  const auto fed_until_it_pushes_up = [&] {
+  const auto feed_until_pushing_up = [&] {
     return eventually([&] {
-      world.feed(q);
-      world.look();
-      return world.pushes_up(q, GetParam().flows_a);
+      turned_ball.feed(q);
+      turned_ball.await_telemetry();
+      return turned_ball.pushes_up(q, GetParam().flows_a);
     });
   };
-  ASSERT_TRUE(fed_until_it_pushes_up()) << program.out() << world.hand().call("device.status");
+  ASSERT_TRUE(feed_until_pushing_up()) << program.out() << turned_ball.hand().call("device.status");
   // The pulse pauses for 425 ms between two pushes; a whole second without current means that it
   // has stopped.
   int quiet = 0;
   ASSERT_TRUE(eventually([&] {
-    world.look();
-    quiet = world.current_a() < 0.05 ? quiet + 1 : 0;
+    turned_ball.await_telemetry();
+    quiet = turned_ball.current_a() < 0.05 ? quiet + 1 : 0;
     return quiet == 100;
   }));
-  EXPECT_TRUE(program.says("up is not known"));
-  EXPECT_TRUE(fed_until_it_pushes_up());
+  EXPECT_TRUE(program.prints("up is not known"));
+  EXPECT_TRUE(feed_until_pushing_up());
   program.signal(SIGINT);
   EXPECT_EQ(program.wait().exit_code, 130);
 }
 
-TEST_P(Indicator, EndsAfterItsSecondsWith0AndNothingFlows) {
+TEST_P(Indicator, EndsAfterItsSecondsWith0AndWithoutCurrent) {
   DaemonProcess daemon(home_);
-  World world(daemon);
+  TurnedBall turned_ball(daemon);
   Program program(home_, hedgehog_orientation(), words({"--seconds", "0.5"}), variables(daemon));
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_TRUE(eventually([&] {
-    world.look();
-    return world.current_a() < 0.05 && world.hand().call("device.status")["effects"].empty();
+    turned_ball.await_telemetry();
+    return turned_ball.current_a() < 0.05 &&
+           turned_ball.hand().call("device.status")["effects"].empty();
   }));
 }
 
@@ -181,12 +183,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"daemon", "pulse", 10.0}, Case{"client", "pulse", 10.0}),
     [](const auto& each) { return std::string(each.param.loop) + "_" + each.param.style; });
 
-TEST(IndicatorAlone, OnceEndsWith69WhenTheDaemonGoes) {
+TEST(IndicatorAlone, OnceEndsWith69WhenTheDaemonEnds) {
   const Home home;
   DaemonProcess daemon(home);
   Program program(home, hedgehog_orientation(), {"--once"},
                   {"HEDGEHOG_ADDRESS=" + daemon.socket()});
-  ASSERT_TRUE(program.says("up is up"));
+  ASSERT_TRUE(program.prints("up is up"));
   EXPECT_EQ(daemon.stop(), 0);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, 69);
@@ -198,18 +200,18 @@ TEST(IndicatorAlone, OnceEndsWith69WhenTheDaemonGoes) {
   EXPECT_THAT(again.err, HasSubstr("no daemon answers at " + home.path("nobody.sock")));
 }
 
-TEST(IndicatorAlone, WaitsForADaemonThatComesBack) {
+TEST(IndicatorAlone, WaitsForADaemonToRestart) {
   const Home home;
   auto daemon = std::make_unique<DaemonProcess>(home);
   Program program(home, hedgehog_orientation(), {"--style", "steady"},
                   {"HEDGEHOG_ADDRESS=" + daemon->socket()});
-  ASSERT_TRUE(program.says("up is up"));
+  ASSERT_TRUE(program.prints("up is up"));
   EXPECT_EQ(daemon->stop(), 0);
   daemon = std::make_unique<DaemonProcess>(home);
-  World world(*daemon);
+  TurnedBall turned_ball(*daemon);
   EXPECT_TRUE(eventually([&] {
-    world.look();
-    return world.pushes_up({}, 4.5);
+    turned_ball.await_telemetry();
+    return turned_ball.pushes_up({}, 4.5);
   }));
   program.signal(SIGTERM);
   const Ended ended = program.wait();
@@ -217,12 +219,12 @@ TEST(IndicatorAlone, WaitsForADaemonThatComesBack) {
   EXPECT_THAT(ended.err, HasSubstr("waiting for the daemon"));
 }
 
-TEST(IndicatorAlone, DoesNotPushAgainstAnEmergencyStop) {
+TEST(IndicatorAlone, DoesNotPushAfterAnEmergencyStop) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
   Program program(home, hedgehog_orientation(), {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
-  ASSERT_TRUE(program.says("up is up"));
+  ASSERT_TRUE(program.prints("up is up"));
   other.call("device.emergency_stop");
   const Ended stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 69);
@@ -233,7 +235,7 @@ TEST(IndicatorAlone, DoesNotPushAgainstAnEmergencyStop) {
   EXPECT_THAT(refused.err, HasSubstr("hedgehogctl arm"));
 }
 
-TEST(IndicatorAlone, MistakesAreUsage) {
+TEST(IndicatorAlone, UsageErrorsExitWith64) {
   const Home home;
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--loop", "sideways"},
                                                 {"--seconds", "-1"},

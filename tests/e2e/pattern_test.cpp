@@ -34,7 +34,7 @@ class Patterns : public testing::Test {
   RawClient other_{daemon_.port()};
 };
 
-TEST_F(Patterns, WhatAPatternSaysFlowsThroughTheCoils) {
+TEST_F(Patterns, APatternsCurrentsFlowThroughTheCoils) {
   const Json steps = Json::parse(R"([{"t_ms":0,"direction":"up","level":0.4,"ease":"step"},
       {"t_ms":400,"direction":"left","level":0.8,"ease":"step"},{"t_ms":800,"level":0}])");
   RawClient client(daemon_.port());
@@ -46,10 +46,10 @@ TEST_F(Patterns, WhatAPatternSaysFlowsThroughTheCoils) {
   EXPECT_EQ(ended["reason"], "completed");
   double up_a = 0.0;
   double left_a = 0.0;
-  for (double seen_ns = 0.0; seen_ns < ended["time_ns"];) {
-    const Json told = client.notification("telemetry");
-    seen_ns = told["time_ns"];
-    const Json& now = told["current_a"];
+  for (double last_ns = 0.0; last_ns < ended["time_ns"];) {
+    const Json telemetry = client.notification("telemetry");
+    last_ns = telemetry["time_ns"];
+    const Json& now = telemetry["current_a"];
     if (std::abs(now[1].get<double>()) < 0.2) up_a = std::max(up_a, now[2].get<double>());
     if (std::abs(now[2].get<double>()) < 0.2) left_a = std::max(left_a, now[1].get<double>());
   }
@@ -102,7 +102,7 @@ TEST_F(Patterns, HedgehogctlListsPlaysPutsGetsAndRemovesThem) {
   EXPECT_EQ(ctl({"patterns", "put", home_.path("bad.json")}).exit_code, kBadData);
 }
 
-TEST_F(Patterns, AnAhapIsImportedAndWhatDoesNotMapIsSaid) {
+TEST_F(Patterns, AnAhapIsImportedAndUnsupportedPartsAreReported) {
   home_.write("My Boing!.ahap", R"({"Version":1,"Pattern":[{"Event":{"Time":0,
       "EventType":"HapticTransient","EventParameters":[
       {"ParameterID":"HapticIntensity","ParameterValue":0.9},
@@ -120,7 +120,7 @@ TEST_F(Patterns, AnAhapIsImportedAndWhatDoesNotMapIsSaid) {
   EXPECT_THAT(bad.err, HasSubstr("not JSON"));
 }
 
-TEST_F(Patterns, AFileOfAnotherFormatPlaysAsItIs) {
+TEST_F(Patterns, AFileOfAnotherFormatPlaysDirectly) {
   home_.write("Boing.ahap", R"({"Version":1,"Pattern":[{"Event":{"Time":0.05,
       "EventType":"HapticTransient","EventParameters":[
       {"ParameterID":"HapticIntensity","ParameterValue":1.0},
@@ -143,7 +143,7 @@ TEST_F(Patterns, AFileOfAnotherFormatPlaysAsItIs) {
   EXPECT_EQ(Json::parse(shown.out)["duration_ms"], 40) << shown.out;
 }
 
-TEST_F(Patterns, ABadFileOfAnotherFormatIsNamedWithThePlace) {
+TEST_F(Patterns, ABadFileOfAnotherFormatIsReportedWithThePosition) {
   home_.write("broken.ahap", R"({"Pattern":[})");
   const std::string file = home_.path("broken.ahap");
   const Ended broken = ctl({"play", file});
@@ -157,7 +157,7 @@ TEST_F(Patterns, ABadFileOfAnotherFormatIsNamedWithThePlace) {
   EXPECT_THAT(other.err, HasSubstr(".json, .ahap or .hjif"));
 }
 
-TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
+TEST_F(Patterns, AnImportedPatternThatIsTooLongIsReported) {
   const auto ahap = [](const std::string& seconds) {
     return R"({"Version":1,"Pattern":[{"Event":{"Time":0,"EventType":"HapticContinuous",
         "EventDuration":)" +
@@ -179,7 +179,7 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
   const Ended played = play_unexpired([&] {
     Program play(home_, hedgehogctl(), {"play", "imported/long", "--loop", "--for", "30.5"},
                  {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
-    EXPECT_TRUE(play.says("play imported/long"));
+    EXPECT_TRUE(play.prints("play imported/long"));
     play.signal(SIGINT);
     return play.wait();
   });
@@ -187,13 +187,13 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
   // Played from a file, only its name is needed.
   Program file(home_, hedgehogctl(), {"play", home_.path("long.ahap")},
                {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
-  EXPECT_TRUE(file.says("play"));
+  EXPECT_TRUE(file.prints("play"));
   EXPECT_EQ(other_.call("device.status")["effects"][0]["method"], "effect.play");
   file.signal(SIGINT);
   EXPECT_EQ(file.wait().exit_code, kInterrupted);
 }
 
-TEST(PatternsKept, APatternSurvivesAKilledDaemon) {
+TEST(PersistedPatterns, APatternPersistsOverAKill) {
   const Home home;
   {
     DaemonProcess daemon(home);

@@ -45,7 +45,7 @@ std::string replay(const protocol::Example& example, RawClient& client) {
   return {};
 }
 
-TEST(Play, TheExamplesOfTheProtocolAreTrue) {
+TEST(Play, TheExamplesOfTheProtocolHold) {
   const auto examples = protocol::protocol_examples(source_folder());
   ASSERT_GE(examples.size(), 20u);
   for (const protocol::Example& example : examples) {
@@ -57,49 +57,50 @@ TEST(Play, TheExamplesOfTheProtocolAreTrue) {
 }
 
 /// Sends a pulse that may finish through a pipe; returns the reason of its end, or the error.
-Json end_of_a_piped_pulse(const DaemonProcess& daemon, RawClient& watcher) {
+Json end_of_piped_pulse(const DaemonProcess& daemon, RawClient& watcher) {
   RawClient pipe(daemon.port());
   pipe.send(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
             R"("params":{"direction":"left","on_close":"finish"}})"
             "\n");
   pipe.half_close();
-  const Json answer = pipe.answer();
+  const Json response = pipe.response();
   EXPECT_TRUE(pipe.closed_by_daemon());
-  if (!answer.contains("result")) return answer;
-  EXPECT_EQ(answer["result"]["accepted"], true);
+  if (!response.contains("result")) return response;
+  EXPECT_EQ(response["result"]["accepted"], true);
   return watcher.notification("event")["reason"];
 }
 
 /// Starts a long pulse and disconnects; returns the reason of its end, or the error.
-Json end_of_a_deserted_pulse(const DaemonProcess& daemon, RawClient& watcher) {
+Json end_of_disconnected_pulse(const DaemonProcess& daemon, RawClient& watcher) {
   RawClient other(daemon.port());
-  const Json answer = other.call("effect.pulse", {{"direction", "left"}, {"duration_ms", 5000}});
-  if (!answer.contains("effect")) return answer;
+  const Json response = other.call("effect.pulse", {{"direction", "left"}, {"duration_ms", 5000}});
+  if (!response.contains("effect")) return response;
   other.half_close();
   return watcher.notification("event")["reason"];
 }
 
-TEST(Play, APulseThroughAPipeIsFelt) {
+TEST(Play, APulseThroughAPipePlays) {
   const Home home;
   const DaemonProcess daemon(home);
   RawClient watcher(daemon.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
-  EXPECT_EQ(end_of_a_piped_pulse(daemon, watcher), "completed");
-  EXPECT_EQ(end_of_a_deserted_pulse(daemon, watcher), "disconnected");
+  EXPECT_EQ(end_of_piped_pulse(daemon, watcher), "completed");
+  EXPECT_EQ(end_of_disconnected_pulse(daemon, watcher), "disconnected");
 }
 
-TEST(Play, APulseThroughAPipeIsFeltOnABallWithThreadsOfItsOwn) {
+TEST(Play, APulseThroughAPipePlaysOnABallWithThreadsOfItsOwn) {
   const Home home;
   const DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   RawClient watcher(daemon.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   EXPECT_TRUE(eventually(
-      [&] { return arms(watcher) && end_of_a_piped_pulse(daemon, watcher) == "completed"; }));
-  EXPECT_TRUE(eventually(
-      [&] { return arms(watcher) && end_of_a_deserted_pulse(daemon, watcher) == "disconnected"; }));
+      [&] { return arms(watcher) && end_of_piped_pulse(daemon, watcher) == "completed"; }));
+  EXPECT_TRUE(eventually([&] {
+    return arms(watcher) && end_of_disconnected_pulse(daemon, watcher) == "disconnected";
+  }));
 }
 
-TEST(Play, AClientThatIsGoneTakesItsEffectsWithIt) {
+TEST(Play, TheEffectsOfADisconnectedClientEnd) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient watcher(daemon.socket());
@@ -132,7 +133,7 @@ TEST(Play, ACircleStepsTenTimesASecond) {
             3'000'000'000);
 }
 
-TEST(Play, MoreClientsThanAllowedAreTurnedAwayWithASentence) {
+TEST(Play, MoreClientsThanAllowedAreRefusedWithASentence) {
   const Home home;
   home.configure(R"({"connections": {"max": 2}})");
   DaemonProcess daemon(home);
@@ -141,7 +142,7 @@ TEST(Play, MoreClientsThanAllowedAreTurnedAwayWithASentence) {
   first.call("ping");
   second.call("ping");
   RawClient third(daemon.port());
-  EXPECT_EQ(third.answer()["error"]["code"], -32001);
+  EXPECT_EQ(third.response()["error"]["code"], -32001);
   EXPECT_TRUE(third.closed_by_daemon());
   second.close();
   ASSERT_TRUE(eventually([&] { return first.call("connection.list")["connections"].size() == 1; }));
@@ -216,7 +217,7 @@ class OwnBoard : public testing::Test {
     // On a busy machine the ball, and with it the hold, may be lost.
     ASSERT_TRUE(eventually([&] {
       if (!arms(game)) return false;
-      held = keep_holding(game, {{"direction", "left"}, {"current_a", 10}});
+      held = renew_hold(game, {{"direction", "left"}, {"current_a", 10}});
       return std::abs(game.notification("telemetry")["current_a"][1].get<double>()) >= 8.0;
     })) << held;
   }
@@ -231,7 +232,7 @@ TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonIsKilled) {
   expect_safe_after_dead_man(home_);
 }
 
-TEST_F(OwnBoard, KeepsStepWithADaemonThatHasASpeedAndIsSafeWithoutIt) {
+TEST_F(OwnBoard, RunsInLockStepWithAScaledDaemonAndIsSafeWithoutIt) {
   DaemonProcess daemon(home_, {"--speed", "5"});
   RawClient game(daemon.port());
   ASSERT_NO_FATAL_FAILURE(drive(game));

@@ -24,14 +24,15 @@ Ended ctl(const Home& home, const DaemonProcess& daemon,
   return Program(home, hedgehogctl(), arguments, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
 }
 
-TEST(Foresight, APreviewMovesNothingAndSaysWhatIsThenMeasured) {
+TEST(PreviewAndHistory, APreviewPlaysNothingAndPredictsTheMeasurement) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient game(daemon.port());
   const Json params{{"direction", "left"}, {"current_a", 8}, {"duration_ms", 400}};
-  const Json told = game.call("effect.preview", {{"method", "effect.pulse"}, {"params", params}});
-  EXPECT_EQ(told["duration_ms"], 400);
-  EXPECT_NEAR(told["current_a"][50][1].get<double>(), 8.0, 0.1);
+  const Json preview =
+      game.call("effect.preview", {{"method", "effect.pulse"}, {"params", params}});
+  EXPECT_EQ(preview["duration_ms"], 400);
+  EXPECT_NEAR(preview["current_a"][50][1].get<double>(), 8.0, 0.1);
 
   game.call("telemetry.subscribe",
             {{"rate_hz", 100}, {"fields", {"current_a", "effects", "time_ns"}}});
@@ -44,13 +45,13 @@ TEST(Foresight, APreviewMovesNothingAndSaysWhatIsThenMeasured) {
   player.call("events.subscribe");
   player.call("effect.pulse", params);
   const Json ended = player.notification("event", "effect_ended");
-  double most_a = 0.0;
-  for (double seen_ns = 0.0; seen_ns < ended["time_ns"];) {
+  double max_a = 0.0;
+  for (double last_ns = 0.0; last_ns < ended["time_ns"];) {
     const Json telemetry = game.notification("telemetry");
-    seen_ns = telemetry["time_ns"];
-    most_a = std::max(most_a, telemetry["current_a"][1].get<double>());
+    last_ns = telemetry["time_ns"];
+    max_a = std::max(max_a, telemetry["current_a"][1].get<double>());
   }
-  EXPECT_NEAR(most_a, told["peak_current_a"].get<double>(), 0.3);
+  EXPECT_NEAR(max_a, preview["peak_current_a"].get<double>(), 0.3);
 
   const Ended shown = ctl(home, daemon, {"preview", "pulse", "left", "--current-a", "8"});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
@@ -61,7 +62,7 @@ TEST(Foresight, APreviewMovesNothingAndSaysWhatIsThenMeasured) {
   EXPECT_EQ(ctl(home, daemon, {"preview"}).exit_code, 64);
 }
 
-TEST(Foresight, WhoeverIsOwedAPreviewGetsItBeforeTheDaemonLeaves) {
+TEST(PreviewAndHistory, APendingPreviewIsSentBeforeTheDaemonEnds) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient game(daemon.port());
@@ -70,12 +71,12 @@ TEST(Foresight, WhoeverIsOwedAPreviewGetsItBeforeTheDaemonLeaves) {
             "\n"
             R"({"jsonrpc":"2.0","id":"now","method":"ping"})"
             "\n");
-  EXPECT_EQ(game.answer()["id"], "now");
+  EXPECT_EQ(game.response()["id"], "now");
   EXPECT_EQ(daemon.stop(), 0);
-  EXPECT_EQ(game.answer()["result"]["duration_ms"], 3000);
+  EXPECT_EQ(game.response()["result"]["duration_ms"], 3000);
 }
 
-TEST(Foresight, ATripIsKnownAfterAKillAndARestartIsNone) {
+TEST(PreviewAndHistory, ATripPersistsOverAKillAndARestartIsNone) {
   const Home home;
   {
     DaemonProcess daemon(home);
@@ -100,9 +101,9 @@ TEST(Foresight, ATripIsKnownAfterAKillAndARestartIsNone) {
   EXPECT_EQ(trips.exit_code, 0) << trips.err;
   EXPECT_THAT(trips.out, HasSubstr("sensor_open"));
   EXPECT_THAT(trips.out, HasSubstr("A  Racer/1.2    trip-0001\n"));
-  const Json answer = Json::parse(ctl(home, daemon, {"--json", "trips"}).out);
-  ASSERT_EQ(answer["events"].size(), 1u) << "that it is still tripped is no new trip";
-  EXPECT_EQ(answer["events"][0]["method"], "effect.hold");
+  const Json response = Json::parse(ctl(home, daemon, {"--json", "trips"}).out);
+  ASSERT_EQ(response["events"].size(), 1u) << "that it is still tripped is no new trip";
+  EXPECT_EQ(response["events"][0]["method"], "effect.hold");
   const Ended events = ctl(home, daemon, {"events", "--since", "1h", "--types", "state_changed"});
   EXPECT_EQ(events.exit_code, 0) << events.err;
   EXPECT_THAT(events.out, HasSubstr("state_changed  tripped: sensor_open"));

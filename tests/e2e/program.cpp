@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/e2e/patience.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -85,14 +85,14 @@ Program::Program(const Home& home, const std::string& path, std::vector<std::str
 
 Program::~Program() { end(pid_); }
 
-bool Program::says(const std::string& text) const {
+bool Program::prints(const std::string& text) const {
   return eventually([&] { return out().find(text) != std::string::npos; });
 }
 
 Ended Program::wait() {
   int status = 0;
   const bool ended =
-      wait_until([&] { return ::waitpid(pid_, &status, WNOHANG) == pid_; }, kLongPatience);
+      wait_until([&] { return ::waitpid(pid_, &status, WNOHANG) == pid_; }, kLongTimeout);
   if (!ended) end(pid_);
   pid_ = -1;
   return {ended ? exit_code_of(status) : -1, home_.read(out_), home_.read(err_)};
@@ -146,7 +146,7 @@ bool TerminalProgram::shows(const std::string& text) {
   });
 }
 
-bool TerminalProgram::is_as_a_shell_leaves_it() const {
+bool TerminalProgram::is_restored() const {
   termios now{};
   return ::tcgetattr(terminal_, &now) == 0 && (now.c_lflag & ICANON) != 0 &&
          (now.c_lflag & ECHO) != 0;
@@ -159,7 +159,7 @@ int TerminalProgram::wait() {
         read_more();
         return ::waitpid(pid_, &status, WNOHANG) == pid_;
       },
-      kLongPatience);
+      kLongTimeout);
   if (!ended) end(pid_);
   pid_ = -1;
   read_more();

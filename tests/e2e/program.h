@@ -32,7 +32,7 @@ class Program {
   std::string out() const { return home_.read(out_); }
   std::string err() const { return home_.read(err_); }
   /// Waits until stdout contains `text`.
-  bool says(const std::string& text) const;
+  bool prints(const std::string& text) const;
   /// Waits for the end. The exit code is -1 when a signal ended it, or this class did after ten
   /// minutes.
   Ended wait();
@@ -61,7 +61,7 @@ class TerminalProgram {
   bool shows(const std::string& text);
   const std::string& shown() const noexcept { return shown_; }
   /// The terminal echoes input and delivers it line by line, as a shell leaves it.
-  bool is_as_a_shell_leaves_it() const;
+  bool is_restored() const;
   /// Waits for the end; returns the exit code, -1 when a signal or this class ended it.
   int wait();
 

@@ -19,7 +19,7 @@ namespace {
 using racer::Feel;
 using testing::HasSubstr;
 
-TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
+TEST(Racer, AFrozenDaemonDelaysNoFrameAndIsReportedAsSilent) {
   const Home home;
   DaemonProcess daemon(home);
   Feel feel(addresses_of(daemon));
@@ -35,7 +35,7 @@ TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
   }));
   const auto before = std::chrono::steady_clock::now();
   for (int frame = 0; frame < kRaceFrames; ++frame) feel.frame({racer::Skid{0.5}}, frame / 60.0);
-  EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, kBlockingDuration / 50);
   EXPECT_EQ(sentence(feel.ball()), "the daemon is silent");
   EXPECT_TRUE(feel.ball().late);
   EXPECT_FALSE(feel.ball().orientation.has_value());
@@ -50,7 +50,7 @@ TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
   EXPECT_FALSE(feel.ball().late);
 }
 
-TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
+TEST(Racer, ABallClaimedByAnotherClientIsNotReportedAsFelt) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
@@ -63,7 +63,7 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   EXPECT_TRUE(eventually([&] {
     claim();
     feel.frame({racer::Skid{0.5}}, 1.1);
-    return sentence(feel.ball()) == "another client has the ball for itself" && feel.answered();
+    return sentence(feel.ball()) == "another client has the ball for itself" && feel.all_answered();
   }));
   EXPECT_EQ(sentence(feel.ball()), "another client has the ball for itself");
   EXPECT_FALSE(feel.played().back().on_the_ball);
@@ -82,12 +82,12 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 4.0);
   EXPECT_TRUE(eventually([&] {
     feel.frame({}, 4.1);
-    return feel.answered();
+    return feel.all_answered();
   }));
   EXPECT_EQ(feel.summary().pulses, 1);
 }
 
-TEST(Racer, ABlowThatNobodyWasAskedToPlayIsCountedAsNotFelt) {
+TEST(Racer, AnImpactThatWasNotSentIsCountedAsNotFelt) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
@@ -113,42 +113,41 @@ TEST(Racer, ABlowThatNobodyWasAskedToPlayIsCountedAsNotFelt) {
 
 /// Runs a lap of 100 s at ten times real time, and takes the ball from it at its first hit. The lap
 /// is stopped meanwhile, so that it does not end before.
-Ended lap_that_loses_the_ball(const Home& home, const std::string& address,
-                              const std::function<void()>& take) {
+Ended lap_with_lost_ball(const Home& home, const std::string& address,
+                         const std::function<void()>& take_ball) {
   Program lap(home, hedgehog_racer(),
               {"lap", "--speed", "10", "--seconds", "100", "--json", "--address", address});
-  EXPECT_TRUE(lap.says(R"("type":"hit")"));
+  EXPECT_TRUE(lap.prints(R"("type":"hit")"));
   lap.signal(SIGSTOP);
-  take();
+  take_ball();
   lap.signal(SIGCONT);
   return lap.wait();
 }
 
 /// The lap's summary counts every hit, some of them as not felt.
-void expect_every_blow_told(const Ended& ended) {
-  const Json told = Json::parse(ended.out.substr(ended.out.rfind("{\"type\":\"summary\"")));
-  const Json& ball = told["ball"];
-  EXPECT_GT(ball["refused"], 0) << told;
+void expect_every_impact_counted(const Ended& ended) {
+  const Json summary = Json::parse(ended.out.substr(ended.out.rfind("{\"type\":\"summary\"")));
+  const Json& ball = summary["ball"];
+  EXPECT_GT(ball["refused"], 0) << summary;
   EXPECT_EQ(ball["pulses"].get<int>() + ball["refused"].get<int>() + ball["left_out"].get<int>(),
-            told["hits"].get<int>() + told["landings"].get<int>())
-      << told;
+            summary["hits"].get<int>() + summary["landings"].get<int>())
+      << summary;
 }
 
-TEST(Racer, ALapThatEndsWithoutItsBallSaysSo) {
+TEST(Racer, ALapThatEndsWithoutItsBallIsReported) {
   const Home home;
   DaemonProcess daemon(home);
-  const Ended stopped = lap_that_loses_the_ball(
+  const Ended stopped = lap_with_lost_ball(
       home, daemon.socket(), [&] { RawClient(daemon.port()).call("device.emergency_stop"); });
   EXPECT_EQ(stopped.exit_code, 69);
   EXPECT_THAT(stopped.err, HasSubstr("the ball is disarmed"));
-  expect_every_blow_told(stopped);
+  expect_every_impact_counted(stopped);
 
   RawClient(daemon.port()).call("device.arm");
-  const Ended killed =
-      lap_that_loses_the_ball(home, daemon.socket(), [&] { daemon.stop(SIGKILL); });
+  const Ended killed = lap_with_lost_ball(home, daemon.socket(), [&] { daemon.stop(SIGKILL); });
   EXPECT_EQ(killed.exit_code, 69);
   EXPECT_THAT(killed.err, HasSubstr("no daemon answers"));
-  expect_every_blow_told(killed);
+  expect_every_impact_counted(killed);
 }
 
 }  // namespace

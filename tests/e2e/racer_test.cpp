@@ -30,7 +30,7 @@ using testing::HasSubstr;
 /// The next push in telemetry, as the sum of its samples up to the pause after it.
 struct Push {
   Vec3 current_a{};
-  double most_a = 0.0;
+  double max_a = 0.0;
 };
 
 Push next_push(RawClient& observer) {
@@ -38,8 +38,8 @@ Push next_push(RawClient& observer) {
   EXPECT_TRUE(eventually([&] {
     const Vec3 current = vector_of(observer.notification("telemetry")["current_a"]);
     push.current_a = push.current_a + current;
-    push.most_a = std::max(push.most_a, norm(current));
-    return push.most_a > 1.0 && norm(current) < 0.05;
+    push.max_a = std::max(push.max_a, norm(current));
+    return push.max_a > 1.0 && norm(current) < 0.05;
   }));
   return push;
 }
@@ -77,16 +77,16 @@ TEST(Racer, AHitFromEachOfEightSidesPushesThere) {
     const Push push = next_push(observer);
     EXPECT_LT(racer::angle_deg(push.current_a, racer::towards(45.0 * eighth)), 22.5);
     EXPECT_LT(racer::angle_deg(push.current_a, hit.direction), 5.0);
-    EXPECT_NEAR(push.most_a, racer::strength_of(racer::step_of(hit.impulse_n_s), 2.1, 15.0), 0.5);
+    EXPECT_NEAR(push.max_a, racer::strength_of(racer::step_of(hit.impulse_n_s), 2.1, 15.0), 0.5);
     EXPECT_TRUE(eventually([&] {
       feel.frame({}, race.scene().time_s);
-      return feel.answered();
+      return feel.all_answered();
     }));
     EXPECT_EQ(feel.summary().pulses, 1);
   }
 }
 
-TEST(Racer, ALandingThumpsAndASkidBuzzesFromBelow) {
+TEST(Racer, ALandingPushesAndASkidVibratesFromBelow) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient observer(daemon.port());
@@ -106,7 +106,7 @@ TEST(Racer, ALandingThumpsAndASkidBuzzesFromBelow) {
   EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
 }
 
-TEST(Racer, WhereTheGroundIsGoesRoundTheBallInATumbleAndAPauseEndsIt) {
+TEST(Racer, TheGroundDirectionCirclesTheBallInATumbleAndAPauseEndsIt) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient observer(daemon.port());
@@ -125,7 +125,7 @@ TEST(Racer, WhereTheGroundIsGoesRoundTheBallInATumbleAndAPauseEndsIt) {
       [&] { return norm(vector_of(observer.notification("telemetry")["current_a"])) < 0.05; }));
 }
 
-TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
+TEST(Racer, ContinuesWithoutADaemonAndPlaysAgainWhenItReturns) {
   const Home home;
   auto daemon = std::make_unique<DaemonProcess>(home);
   const auto addresses = addresses_of(*daemon);
@@ -139,7 +139,7 @@ TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
   const auto before = std::chrono::steady_clock::now();
   for (int frame = 0; frame < kRaceFrames; ++frame)
     feel.frame({racer::Skid{0.5}}, 2.0 + frame / 60.0);
-  EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, kBlockingDuration / 50);
   daemon = std::make_unique<DaemonProcess>(home);
   ASSERT_TRUE(connects(feel));
   RawClient observer(daemon->port());
@@ -149,7 +149,7 @@ TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
   EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, -1, 0}), 5.0);
 }
 
-TEST(Racer, ABallThatIsSetToLittleIsPlayedSoftly) {
+TEST(Racer, ABallOfLowGainIsPlayedSoftly) {
   const Home home;
   home.configure(R"({"limits": {"current_a": 1.5}})");
   DaemonProcess daemon(home);
@@ -160,7 +160,7 @@ TEST(Racer, ABallThatIsSetToLittleIsPlayedSoftly) {
   feel.frame({racer::Hit{{0, 1, 0}, 8000.0}}, 1.0);
   const Push push = next_push(observer);
   EXPECT_LT(racer::angle_deg(push.current_a, {0, 1, 0}), 5.0);
-  EXPECT_LT(push.most_a, 1.7);
+  EXPECT_LT(push.max_a, 1.7);
 }
 
 Ended run_racer(const Home& home, const std::vector<std::string>& words,
@@ -186,22 +186,22 @@ Json two_minutes_from(double start_c) {
   const Ended lap =
       run_racer(home, {"lap", "--speed", speed, "--seconds", "120", "--json"}, daemon.socket());
   EXPECT_EQ(lap.exit_code, 0) << lap.err;
-  const Json told = last_line(lap.out);
-  EXPECT_EQ(told["laps"], 4) << told;
-  EXPECT_EQ(told["ball"]["tripped"], false);
-  EXPECT_GT(told["ball"]["pulses"], 20);
+  const Json summary = last_line(lap.out);
+  EXPECT_EQ(summary["laps"], 4) << summary;
+  EXPECT_EQ(summary["ball"]["tripped"], false);
+  EXPECT_GT(summary["ball"]["pulses"], 20);
   EXPECT_TRUE(RawClient(daemon.port()).call("device.status")["last_trip"].is_null());
-  return told["ball"];
+  return summary["ball"];
 }
 
-TEST(Racer, TwoMinutesOnAColdBallAreFeltWhole) {
+TEST(Racer, TwoMinutesOnAColdBallAreDeliveredInFull) {
   const Json ball = two_minutes_from(25.0);
   EXPECT_EQ(ball["turned_down_s"], 0.0) << ball;
   EXPECT_EQ(ball["derated_s"], 0.0) << ball;
   EXPECT_EQ(ball["least_limit_a"], 15.0) << ball;
 }
 
-TEST(Racer, TwoMinutesOnAHotBallNeverTripItAndTheSummarySaysWhatWasReduced) {
+TEST(Racer, TwoMinutesOnAHotBallNeverTripItAndTheSummaryReportsReductions) {
   const Json ball = two_minutes_from(66.8);
   EXPECT_GT(ball["turned_down_s"], 5.0) << ball;
   EXPECT_GT(ball["derated_s"], 0.0) << ball;
@@ -231,7 +231,7 @@ TEST(Racer, TheLinesOfItsReadmeRun) {
   EXPECT_EQ(ran, 3);
 }
 
-TEST(Racer, TellsTheSameOnEveryRun) {
+TEST(Racer, PrintsTheSameOnEveryRun) {
   const Home home;
   const Ended first = run_racer(home, {"lap", "--no-ball", "--json", "--seconds", "60"});
   EXPECT_EQ(first.exit_code, 0);
@@ -239,7 +239,7 @@ TEST(Racer, TellsTheSameOnEveryRun) {
   EXPECT_EQ(run_racer(home, {"lap", "--no-ball", "--json", "--seconds", "60"}).out, first.out);
 }
 
-TEST(Racer, MistakesAreUsageAndNoDaemonIsUnavailable) {
+TEST(Racer, UsageErrorsExitWith64AndAMissingDaemonWith69) {
   const Home home;
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"fly"}, {"lap", "--seconds", "-1"}, {"lap", "--address", "a:b"}})

@@ -17,7 +17,7 @@ inline std::vector<client::Address> addresses_of(const DaemonProcess& daemon) {
 
 /// A number of frames, and their duration if each waited for the daemon up to its timeout of 1 s.
 inline constexpr int kRaceFrames = 1000;
-inline constexpr auto kHadTheyWaited = kRaceFrames * std::chrono::seconds(1);
+inline constexpr auto kBlockingDuration = kRaceFrames * std::chrono::seconds(1);
 
 /// Waits until the daemon responds and its ball is armed: the game sends no effects before.
 inline bool connects(racer::Feel& feel, double time_s = 0.0) {

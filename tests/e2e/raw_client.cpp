@@ -14,12 +14,12 @@
 #include <stdexcept>
 
 #include "protocol/methods.h"
-#include "tests/e2e/patience.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
 
-constexpr int kPatienceMs = std::chrono::milliseconds(kPatience).count();
+constexpr int kTimeoutMs = std::chrono::milliseconds(kTimeout).count();
 
 }  // namespace
 
@@ -57,7 +57,7 @@ bool RawClient::receive() {
   pollfd waiting{fd_, POLLIN, 0};
   char bytes[16 * 1024];
   const ssize_t count =
-      ::poll(&waiting, 1, kPatienceMs) == 1 ? ::recv(fd_, bytes, sizeof bytes, 0) : -1;
+      ::poll(&waiting, 1, kTimeoutMs) == 1 ? ::recv(fd_, bytes, sizeof bytes, 0) : -1;
   if (count > 0) buffer_.append(bytes, static_cast<std::size_t>(count));
   return count > 0;
 }
@@ -65,9 +65,9 @@ bool RawClient::receive() {
 std::optional<std::string> RawClient::bytes(std::size_t count) {
   while (buffer_.size() < std::max<std::size_t>(count, 1))
     if (!receive()) return std::nullopt;
-  std::string taken = buffer_.substr(0, count == 0 ? buffer_.size() : count);
-  buffer_.erase(0, taken.size());
-  return taken;
+  std::string received = buffer_.substr(0, count == 0 ? buffer_.size() : count);
+  buffer_.erase(0, received.size());
+  return received;
 }
 
 std::optional<std::string> RawClient::line() {
@@ -82,8 +82,8 @@ std::optional<std::string> RawClient::line() {
   }
 }
 
-Json RawClient::answer() {
-  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
+Json RawClient::response() {
+  const auto deadline = std::chrono::steady_clock::now() + kLongTimeout;
   while (std::chrono::steady_clock::now() < deadline) {
     const auto text = line();
     if (!text) break;
@@ -98,7 +98,7 @@ Json RawClient::call(const std::string& method, const Json& params) {
   const Json request{
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
   send(request.dump() + "\n");
-  const Json reply = answer();
+  const Json reply = response();
   if (reply.value("id", Json()) != next_id_)
     throw std::runtime_error("not the answer to " + request.dump() + ": " + reply.dump());
   const auto known = protocol::method_named(method);
@@ -111,7 +111,7 @@ Json RawClient::call(const std::string& method, const Json& params) {
 }
 
 Json RawClient::notification(const std::string& method, const std::string& type) {
-  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kLongTimeout;
   for (;;) {
     if (std::chrono::steady_clock::now() > deadline)
       throw std::runtime_error("no " + method + " " + type + " in ten minutes");

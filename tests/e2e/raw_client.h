@@ -33,7 +33,7 @@ class RawClient {
   /// The next line; nullopt when the daemon has closed (or sends nothing for a minute).
   std::optional<std::string> line();
   /// The next line that is not a notification.
-  Json answer();
+  Json response();
   /// Sends a request and returns its result, or its error.
   Json call(const std::string& method, const Json& params = Json::object());
   /// The params of the next notification `method` (of `type`, when given); others are skipped for

@@ -36,18 +36,18 @@ TEST(Readme, TheLinesForNcAreAnsweredAsShown) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient nc(daemon.port());
-  std::string answer;
+  std::string response;
   int sent = 0;
   int shown = 0;
   for (const std::string& line : lines_of("README.md")) {
     if (line.rfind("{\"jsonrpc\"", 0) != 0) continue;
     if (line.find("\"method\"") != std::string::npos) {
       nc.send(line + "\n");
-      answer = nc.answer().dump();
-      EXPECT_TRUE(Json::parse(answer).contains("result")) << line << "\n" << answer;
+      response = nc.response().dump();
+      EXPECT_TRUE(Json::parse(response).contains("result")) << line << "\n" << response;
       ++sent;
     } else {
-      EXPECT_EQ(protocol::mismatch(as_example(line), answer), "") << answer;
+      EXPECT_EQ(protocol::mismatch(as_example(line), response), "") << response;
       ++shown;
     }
   }
@@ -58,7 +58,7 @@ TEST(Readme, TheLinesForNcAreAnsweredAsShown) {
 TEST(Readme, TheLinesForHedgehogctlRun) {
   const Home home;
   DaemonProcess daemon(home);
-  int seen = 0;
+  int examples = 0;
   for (const std::string& line : lines_of("README.md")) {
     std::istringstream text(line.substr(0, line.find('#')));
     std::string program;
@@ -71,12 +71,12 @@ TEST(Readme, TheLinesForHedgehogctlRun) {
     const Ended ended =
         Program(home, hedgehogctl(), words, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
     EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
-    ++seen;
+    ++examples;
   }
-  EXPECT_GE(seen, 3);
+  EXPECT_GE(examples, 3);
 }
 
-TEST(Readme, AOneShotThroughNcIsFelt) {
+TEST(Readme, AOneShotThroughNcPlays) {
   const Home home;
   if (Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q -e -N"}).wait().exit_code != 0 &&
       Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q OpenBSD"}).wait().exit_code != 0)
@@ -84,7 +84,7 @@ TEST(Readme, AOneShotThroughNcIsFelt) {
   DaemonProcess daemon(home);
   RawClient watcher(daemon.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
-  int seen = 0;
+  int examples = 0;
   for (std::string line : lines_of("clients/README.md")) {
     const std::string port = " 7586";
     if (line.rfind("echo '{", 0) != 0) continue;
@@ -96,9 +96,9 @@ TEST(Readme, AOneShotThroughNcIsFelt) {
     EXPECT_EQ(felt["reason"], "completed");
     EXPECT_EQ(felt["offset_ns"].get<std::int64_t>() - felt["onset_ns"].get<std::int64_t>(),
               150'000'000);
-    ++seen;
+    ++examples;
   }
-  EXPECT_GE(seen, 1);
+  EXPECT_GE(examples, 1);
 }
 
 }  // namespace

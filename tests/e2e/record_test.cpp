@@ -73,7 +73,7 @@ TEST_F(Record, MoreThanAMinuteIsRefusedWithWhatIsAllowed) {
   EXPECT_FALSE(is_written());
 }
 
-TEST_F(Record, CtrlCEndsTheRecordingAndKeepsIt) {
+TEST_F(Record, CtrlCEndsTheRecordingAndSavesIt) {
   const DaemonProcess daemon(home_);
   RawClient other(daemon.port());
   Program program(home_, hedgehogctl(), record({}), {"HEDGEHOG_ADDRESS=" + daemon.socket()});
@@ -86,7 +86,7 @@ TEST_F(Record, CtrlCEndsTheRecordingAndKeepsIt) {
   EXPECT_GT(pattern()["keyframes"].back()["t_ms"], 0);
 }
 
-TEST_F(Record, WhatWasRecordedBeforeTheDaemonWentIsKept) {
+TEST_F(Record, ARecordingIsSavedWhenTheDaemonEnds) {
   DaemonProcess daemon(home_);
   RawClient other(daemon.port());
   Program program(home_, hedgehogctl(), record({}), {"HEDGEHOG_ADDRESS=" + daemon.socket()});
@@ -110,7 +110,7 @@ TEST_F(Record, ABallWithoutASensorRecordsNothing) {
   EXPECT_FALSE(is_written());
 }
 
-TEST_F(Record, AFileInTheWayIsReplacedOnlyByForce) {
+TEST_F(Record, AnExistingFileIsReplacedOnlyByForce) {
   const DaemonProcess daemon(home_);
   home_.write("path.json", "mine");
   const Ended refused = ctl(daemon, record({"--seconds", "0.1"}));
@@ -121,12 +121,12 @@ TEST_F(Record, AFileInTheWayIsReplacedOnlyByForce) {
   EXPECT_EQ(pattern()["name"], "recorded/path");
 }
 
-TEST_F(Record, WhatCannotBeWrittenIsRefusedBeforeItBegins) {
+TEST_F(Record, AnUnwritableFileIsRefusedBeforeTheRecording) {
   const DaemonProcess daemon(home_);
   // Without --seconds: a recording that started would last a minute.
-  const Ended nowhere = ctl(daemon, {"record", home_.path("nowhere/path.json")});
-  EXPECT_EQ(nowhere.exit_code, kCannotCreate);
-  EXPECT_THAT(nowhere.err, HasSubstr("there is no folder " + home_.path("nowhere")));
+  const Ended missing_folder = ctl(daemon, {"record", home_.path("nowhere/path.json")});
+  EXPECT_EQ(missing_folder.exit_code, kCannotCreate);
+  EXPECT_THAT(missing_folder.err, HasSubstr("there is no folder " + home_.path("nowhere")));
   const Ended unnamed = ctl(daemon, record({"--name", "No Name"}));
   EXPECT_EQ(unnamed.exit_code, kUsage);
   EXPECT_THAT(unnamed.err, HasSubstr("is no name for a pattern"));

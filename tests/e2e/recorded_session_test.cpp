@@ -70,7 +70,7 @@ void expect_response(const Json& now, const Json& then, const std::string& metho
 
 class RecordedSession : public testing::TestWithParam<std::string> {};
 
-TEST_P(RecordedSession, IsUnderstoodToday) {
+TEST_P(RecordedSession, IsAccepted) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient client(daemon.port());
@@ -86,7 +86,7 @@ TEST_P(RecordedSession, IsUnderstoodToday) {
       const Json now = client.notification(then["method"], type);
       expect_has(now, then["params"], then["method"].get<std::string>() + " " + type);
     } else {
-      ASSERT_NO_FATAL_FAILURE(expect_response(client.answer(), then, method));
+      ASSERT_NO_FATAL_FAILURE(expect_response(client.response(), then, method));
     }
   }
   EXPECT_GT(lines.size(), 60U) << "the recording";

@@ -47,19 +47,19 @@ TEST_F(SoundPlay, ALowToneIsPlayedToItsEndWithoutGapsOnItsSide) {
   const Ended ended = ctl({"--json", "play", hum, "--pulses", "0"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   std::istringstream lines(ended.out);
-  std::vector<Json> answers;
-  for (std::string line; std::getline(lines, line);) answers.push_back(Json::parse(line));
-  ASSERT_EQ(answers.size(), 5u) << "four slices, and what was played";
-  EXPECT_EQ(answers.back()["late_slices"], 0);
-  EXPECT_EQ(answers.back()["reason"], "completed");
+  std::vector<Json> responses;
+  for (std::string line; std::getline(lines, line);) responses.push_back(Json::parse(line));
+  ASSERT_EQ(responses.size(), 5u) << "four slices, and what was played";
+  EXPECT_EQ(responses.back()["late_slices"], 0);
+  EXPECT_EQ(responses.back()["reason"], "completed");
   std::vector<Json> ends;
   while (ends.size() < 4) ends.push_back(other_.notification("event", "effect_ended"));
   for (std::size_t i = 1; i < ends.size(); ++i) {
     EXPECT_EQ(ends[i]["reason"], "completed");
     EXPECT_EQ(ends[i]["onset_ns"], ends[i - 1]["offset_ns"]) << "seamless";
   }
-  for (const Json& answer : answers)
-    if (answer.contains("pin")) EXPECT_EQ(answer["pin"], 34) << "the left";
+  for (const Json& response : responses)
+    if (response.contains("pin")) EXPECT_EQ(response["pin"], 34) << "the left";
 }
 
 TEST_F(SoundPlay, PreviewPrintsWhatWouldBeSent) {
@@ -99,7 +99,7 @@ TEST_F(SoundPlay, EndsWithCtrlCAndWithTheProgram) {
   EXPECT_TRUE(eventually([&] { return other_.call("device.status")["effects"].empty(); }));
 }
 
-TEST_F(SoundPlay, WhatDoesNotGoWithASoundFileIsRefused) {
+TEST_F(SoundPlay, OptionsThatDoNotApplyToASoundFileAreRefused) {
   const std::string hum = file(0.5, [](double t) { return std::pair(sine(t, 50.0), 0.0); });
   EXPECT_EQ(ctl({"play", hum, "--loop"}).exit_code, kUsage);
   EXPECT_EQ(ctl({"play", hum, "--duration-ms", "100"}).exit_code, kUsage);

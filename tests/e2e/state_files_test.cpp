@@ -49,10 +49,10 @@ TEST_F(StateFiles, NoneOfThemNeedsToBeARegularFile) {
   EXPECT_EQ(daemon.stop(), 0);
 }
 
-TEST_F(StateFiles, AStateThatIsNoFileCountsAsLost) {
-  const auto start = [&](const std::string& why) {
+TEST_F(StateFiles, AStateThatIsNoRegularFileCountsAsLost) {
+  const auto start = [&](const std::string& reason) {
     DaemonProcess daemon(home_);
-    EXPECT_TRUE(daemon.logs("state.json: " + why + ". Whether the ball had tripped"));
+    EXPECT_TRUE(daemon.logs("state.json: " + reason + ". Whether the ball had tripped"));
     const Json status = RawClient(daemon.port()).call("device.status");
     EXPECT_EQ(status["state"], "tripped");
     EXPECT_EQ(status["reason"], "state_lost");
@@ -71,7 +71,7 @@ TEST_F(StateFiles, AStateThatIsNoFileCountsAsLost) {
   start("is larger than 64 KiB");
 }
 
-TEST_F(StateFiles, AFifoInPlaceOfAHalfWrittenStateHoldsNothingUp) {
+TEST_F(StateFiles, AFifoInPlaceOfAHalfWrittenStateBlocksNothing) {
   DaemonProcess(home_).stop();
   fifo("state.json.new");
   DaemonProcess daemon(home_);

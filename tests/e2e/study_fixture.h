@@ -14,10 +14,10 @@
 
 #include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
-#include "tests/e2e/patience.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 
@@ -47,7 +47,7 @@ class Study : public testing::Test {
   }
   std::vector<std::string> variables() const { return {"HEDGEHOG_ADDRESS=" + address_}; }
   /// The daemon's socket is in the home's runtime directory, also for a daemon started later.
-  void remember_address() { address_ = daemon_->socket(); }
+  void store_address() { address_ = daemon_->socket(); }
 
   std::unique_ptr<Program> begin(std::vector<std::string> words, const std::string& folder = "th") {
     words.insert(words.begin(), {"-C", home_.path(folder)});
@@ -57,7 +57,7 @@ class Study : public testing::Test {
     return begin(words, folder)->wait();
   }
   /// Waits for the end of a long program: `Program::wait` alone gives up after ten minutes.
-  static Ended patiently(Program& program) {
+  static Ended wait_long(Program& program) {
     constexpr std::chrono::minutes kWholeStudy{15};
     wait_until([&] { return has_ended(program); }, kWholeStudy);
     return program.wait();

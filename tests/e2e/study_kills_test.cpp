@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Form {
+struct Scale {
   std::string people;
   std::vector<std::string> experiments;
   int kills;
@@ -32,12 +32,15 @@ class Kills : public Study {
  protected:
   /// HEDGEHOG_STUDY_REHEARSAL=short: the thesis' three staircases, ten people, twenty kills, with
   /// circles of 0.3 s. =whole: with the real circles of 5 s. Unset: a tenth of it.
-  Form form() {
-    const char* said = std::getenv("HEDGEHOG_STUDY_REHEARSAL");
-    const std::string which = said != nullptr ? said : "";
+  Scale scale() {
+    const char* setting = std::getenv("HEDGEHOG_STUDY_REHEARSAL");
+    const std::string which = setting != nullptr ? setting : "";
     if (which == "whole") return {"10", {"force-threshold", "force-jnd", "speed-jnd"}, 20, 8000};
     if (which == "short")
-      return {"10", {hasty("force-threshold"), hasty("force-jnd"), hasty("speed-jnd")}, 20, 2500};
+      return {"10",
+              {quick_copy("force-threshold"), quick_copy("force-jnd"), quick_copy("speed-jnd")},
+              20,
+              2500};
     return {"3", {quick_path(), home_.path("quick-yes-no.json")}, 6, 250};
   }
 
@@ -50,7 +53,7 @@ class Kills : public Study {
       SCOPED_TRACE(name);
       Json trial;
       int attempt = 1;
-      std::string said;
+      std::string entry;
       for (const Json& line : journal(name, folder)) {
         const std::string event = line["event"];
         if (event == "trial_started") {
@@ -92,7 +95,7 @@ class Kills : public Study {
 
  private:
   /// A preset with short circles.
-  std::string hasty(const std::string& preset) const {
+  std::string quick_copy(const std::string& preset) const {
     std::ifstream in(source_folder() + "/config/study/" + preset + ".json");
     Json experiment = Json::parse(in, nullptr, true, true);
     experiment["name"] = "hasty-" + preset;
@@ -104,24 +107,24 @@ class Kills : public Study {
 };
 
 TEST_F(Kills, AtAnyMomentChangeNoLevelAndNoAnswer) {
-  const Form form = this->form();
+  const Scale scale = this->scale();
   std::string experiments;
-  for (const std::string& experiment : form.experiments)
+  for (const std::string& experiment : scale.experiments)
     experiments += (experiments.empty() ? "" : ",") + experiment;
   start_daemon();
-  remember_address();
-  plan("calm", form.people, experiments);
-  plan("shaken", form.people, experiments);
-  const Ended calm = patiently(*begin({"rehearse"}, "calm"));
-  ASSERT_EQ(calm.exit_code, 0) << calm.err;
+  store_address();
+  plan("calm", scale.people, experiments);
+  plan("shaken", scale.people, experiments);
+  const Ended expected_run = wait_long(*begin({"rehearse"}, "calm"));
+  ASSERT_EQ(expected_run.exit_code, 0) << expected_run.err;
   const auto expected = answers("calm");
-  ASSERT_EQ(expected.size(), std::stoul(form.people) * form.experiments.size());
+  ASSERT_EQ(expected.size(), std::stoul(scale.people) * scale.experiments.size());
 
   std::mt19937 random(5);  // NOLINT(cert-msc51-cpp): the same moments each time
   auto runner = begin({"rehearse"}, "shaken");
-  for (int kill = 0; kill < form.kills; ++kill) {
-    std::this_thread::sleep_for(
-        std::chrono::milliseconds(std::uniform_int_distribution<int>(20, form.longest_ms)(random)));
+  for (int kill = 0; kill < scale.kills; ++kill) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(
+        std::uniform_int_distribution<int>(20, scale.longest_ms)(random)));
     if (kill % 2 == 0) {
       runner = nullptr;  // ends it by SIGKILL
       runner = begin({"rehearse"}, "shaken");
@@ -141,18 +144,18 @@ TEST_F(Kills, AtAnyMomentChangeNoLevelAndNoAnswer) {
     start_daemon();
   }
   while (true) {
-    const Ended ended = patiently(*runner);
+    const Ended ended = wait_long(*runner);
     ASSERT_NE(ended.exit_code, -1);
     if (ended.exit_code == 0) break;
     runner = begin({"rehearse"}, "shaken");
   }
   voids_ = 0;
-  const auto shaken = answers("shaken");
+  const auto found = answers("shaken");
   EXPECT_GT(voids_, 0) << "no kill hit a trial";
-  ASSERT_EQ(shaken.size(), expected.size());
-  for (const auto& [run, said] : expected) {
-    EXPECT_EQ(shaken.at(run), said) << run;
-    EXPECT_GT(said.size(), 5U) << run;
+  ASSERT_EQ(found.size(), expected.size());
+  for (const auto& [run, entry] : expected) {
+    EXPECT_EQ(found.at(run), entry) << run;
+    EXPECT_GT(entry.size(), 5U) << run;
   }
   EXPECT_EQ(thresholds("shaken"), thresholds("calm"));
   for (const auto& [run, threshold] : thresholds("calm")) EXPECT_TRUE(threshold.is_string()) << run;

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 /// How many times the question was shown.
-int asked(TerminalProgram& page) {
+int questions_shown(TerminalProgram& page) {
   const std::string question = "Which one was stronger?";
   page.shows(question);
   int times = 0;
@@ -26,7 +26,7 @@ int asked(TerminalProgram& page) {
 TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   // Slow, because a claim lasts ten seconds of the ball's time.
   start_daemon(2);
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   // The page may start first, and stays open from run to run.
   TerminalProgram page(home_, hedgehog_study(), {"-C", home_.path("th"), "participant"});
@@ -58,7 +58,7 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
     page.type("\033[D");
     ASSERT_TRUE(
         eventually([&] { return count(journal("P01.quick.1.jsonl"), "answered") == answers; }));
-    ASSERT_TRUE(eventually([&] { return asked(page) == answers + 1; }));
+    ASSERT_TRUE(eventually([&] { return questions_shown(page) == answers + 1; }));
   }
   EXPECT_TRUE(desk.shows("reversals"));
   // While a note is being typed the run continues: for twenty seconds of the ball's time, the
@@ -67,9 +67,9 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   desk.type("n");
   ASSERT_TRUE(desk.shows("note: "));
   desk.type("coughx\x7f");
-  const double noted_at = game.call("ping")["time_ns"];
+  const double start_ns = game.call("ping")["time_ns"];
   ASSERT_TRUE(
-      eventually([&] { return game.call("ping")["time_ns"].get<double>() > noted_at + 20e9; }));
+      eventually([&] { return game.call("ping")["time_ns"].get<double>() > start_ns + 20e9; }));
   EXPECT_EQ(game.call("effect.pulse", {{"direction", "left"}})["data"]["name"], "claimed");
   page.type("\033[D");
   ASSERT_TRUE(eventually([&] { return count(journal("P01.quick.1.jsonl"), "answered") == 5; }));
@@ -80,7 +80,7 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
     if (line["event"] == "note") EXPECT_EQ(line["text"], "coughed");
   desk.type("q");
   EXPECT_EQ(desk.wait(), 75);
-  EXPECT_TRUE(desk.is_as_a_shell_leaves_it());
+  EXPECT_TRUE(desk.is_restored());
   for (const char* secret : {"level", "reversal", "%", "scored", "trial", "P01"})
     EXPECT_THAT(page.shown(), testing::Not(HasSubstr(secret)));
   const auto lines = journal("P01.quick.1.jsonl");
@@ -118,9 +118,9 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
     EXPECT_THAT(again.shown(), testing::Not(HasSubstr(secret)));
 }
 
-TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
+TEST_F(Study, ADaemonThatEndsDuringAQuestionLosesNoAnswer) {
   start_daemon(20);
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";
   TerminalProgram desk(home_, hedgehog_study(), run_quick(), variables());
@@ -154,7 +154,7 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
 
 TEST_F(Study, APersonMayBeSlowRestAndPause) {
   start_daemon(20);
-  remember_address();
+  store_address();
   home_.write("slow.json", quick(R"(, "response_limit_ms": 5000, "rest_every": 1)"));
   plan("th", "1", home_.path("slow.json"));
   TerminalProgram desk(home_, hedgehog_study(), run_quick(), variables());
@@ -191,9 +191,9 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
   EXPECT_EQ(count(journal(name), "rest"), 1);
 }
 
-TEST_F(Study, AKeyFromBeforeTheQuestionAnswersNothing) {
+TEST_F(Study, AKeyPressedBeforeTheQuestionIsIgnored) {
   start_daemon(2);
-  remember_address();
+  store_address();
   std::string slow = quick();
   slow.replace(slow.find("300"), 3, "9000");
   home_.write("slow.json", slow);

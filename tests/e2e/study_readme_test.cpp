@@ -19,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
+TEST_F(Study, AnalysesAndExportsTheMeasurements) {
   start_daemon();
-  remember_address();
+  store_address();
   plan("th", "2", quick_path() + "," + home_.path("quick-yes-no.json"));
   ASSERT_EQ(study({"rehearse"}).exit_code, 0);
   const Ended analysed = study({"analyse"});
@@ -52,7 +52,7 @@ TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
 
 TEST_F(Study, TheLinesOfItsReadmeRun) {
   start_daemon();
-  remember_address();
+  store_address();
   std::ifstream text(source_folder() + "/clients/study/README.md");
   std::string folder = home_.path("");
   int ran = 0;

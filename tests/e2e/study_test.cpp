@@ -22,7 +22,7 @@ constexpr double kMs = 1e6;
 
 TEST_F(Study, ARunIsTimedByTheDevicesClock) {
   start_daemon();
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   const Ended ended = study({"run", "quick", "--participant", "P01", "--simulated"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
@@ -56,7 +56,7 @@ TEST_F(Study, ARunIsTimedByTheDevicesClock) {
 
 TEST_F(Study, CatchTrialsPlayNothing) {
   start_daemon();
-  remember_address();
+  store_address();
   plan("th", "1", home_.path("quick-yes-no.json"));
   ASSERT_EQ(study({"run", "quick-yes-no", "--participant", "P01", "--simulated"}).exit_code, 0);
   std::string kind;
@@ -73,9 +73,9 @@ TEST_F(Study, CatchTrialsPlayNothing) {
   EXPECT_GT(catches, 0);
 }
 
-TEST_F(Study, ASimulatedAnswerThatIsTooLateIsVoidLikeAPersons) {
+TEST_F(Study, ALateSimulatedAnswerIsVoidAsAPersonsIs) {
   start_daemon();
-  remember_address();
+  store_address();
   home_.write("hasty.json", quick(R"(, "response_limit_ms": 1000)"));
   plan("th", "1", home_.path("hasty.json"));
   ASSERT_EQ(study({"run", "quick", "--participant", "P01", "--simulated"}).exit_code, 0);
@@ -88,9 +88,9 @@ TEST_F(Study, ASimulatedAnswerThatIsTooLateIsVoidLikeAPersons) {
       EXPECT_LE(line["response_ms"], 1000);
 }
 
-TEST_F(Study, TheBallIsItsAlone) {
+TEST_F(Study, TheBallIsClaimed) {
   start_daemon(2);
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   RawClient game(daemon_->port());
   {
@@ -118,7 +118,7 @@ TEST_F(Study, TheBallIsItsAlone) {
 
 TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
   start_daemon(2);
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   RawClient hand(daemon_->port());
   const auto running = begin({"run", "quick", "--participant", "P01", "--simulated"});
@@ -132,9 +132,9 @@ TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
   EXPECT_EQ(count(lines, "continued"), 1);
 }
 
-TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
+TEST_F(Study, AnUnpluggedBallVoidsTheTrialAndPausesUntilItReturns) {
   start_daemon(2);
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";
   RawClient hand(daemon_->port());
@@ -161,13 +161,13 @@ TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
                          HasSubstr("the ball is absent"))));
 }
 
-TEST_F(Study, AWarmBallIsLeftToCoolBeforeATrialWouldBeReduced) {
+TEST_F(Study, AWarmBallCoolsBeforeATrialWouldBeReduced) {
   home_.configure(R"({"simulator": {"start_temperature_c": 46}})");
   plan("th", "1", quick_path());
   // 10 A at the start level; at 46 °C the skin limit allows less. In a warm room the ball does not
   // cool before the first trial, however late that is.
   start_daemon(10);
-  remember_address();
+  store_address();
   RawClient hand(daemon_->port());
   EXPECT_FALSE(hand.call("sim.set", {{"ambient_c", 45}}).contains("code"));
   const auto running = begin({"run", "quick", "--participant", "P01", "--simulated"});

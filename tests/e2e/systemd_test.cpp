@@ -16,9 +16,9 @@
 #include <utility>
 
 #include "tests/e2e/daemon_process.h"
-#include "tests/e2e/patience.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 #include "tests/folders.h"
 
 namespace hedgehog::e2e {
@@ -27,19 +27,19 @@ namespace {
 using std::string_literals::operator""s;
 using testing::HasSubstr;
 
-struct Said {
+struct Output {
   int exit_code = -1;
   std::string text;
 };
 
-Said run(const std::string& command) {
-  Said said;
+Output run(const std::string& command) {
+  Output output;
   std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
   std::array<char, 4096> buffer{};
   for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    said.text.append(buffer.data(), n);
-  said.exit_code = WEXITSTATUS(::pclose(pipe));
-  return said;
+    output.text.append(buffer.data(), n);
+  output.exit_code = WEXITSTATUS(::pclose(pipe));
+  return output;
 }
 
 std::string readme() {
@@ -86,17 +86,17 @@ class Unit : public testing::TestWithParam<const char*> {
 
 // systemd-analyze prints a warning for an unknown key and still exits with 0, so any output is a
 // failure.
-TEST_P(Unit, HasNothingThatSystemdDoesNotKnow) {
-  const Said said = run("systemd-analyze verify --man=no " + installed());
-  EXPECT_EQ(said.text, "");
-  EXPECT_EQ(said.exit_code, 0);
+TEST_P(Unit, HasOnlyKeysThatSystemdSupports) {
+  const Output output = run("systemd-analyze verify --man=no " + installed());
+  EXPECT_EQ(output.text, "");
+  EXPECT_EQ(output.exit_code, 0);
 }
 
-TEST_P(Unit, IsShutInTight) {
+TEST_P(Unit, IsHardened) {
   const std::string threshold = documented_threshold("a score of (\\d)\\.(\\d) or better");
-  const Said said =
+  const Output output =
       run("systemd-analyze security --offline=yes --threshold=" + threshold + " " + installed());
-  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_EQ(output.exit_code, 0) << output.text;
 }
 
 INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
@@ -111,14 +111,14 @@ INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
 
 class DaemonUnit : public Unit {};
 
-TEST_P(DaemonUnit, IsNearlyAsTightForOtherMachines) {
+TEST_P(DaemonUnit, IsHardenedForRemoteAccess) {
   home_.write("units/"s + GetParam() + ".d/override.conf", documented_drop_in());
   const std::string threshold = documented_threshold("(\\d)\\.(\\d) with the drop-in");
   const std::string unit = installed();
-  const Said said =
+  const Output output =
       run("systemd-analyze security --offline=yes --threshold=" + threshold + " " + unit);
-  EXPECT_EQ(said.exit_code, 0) << said.text;
-  EXPECT_THAT(said.text, HasSubstr("allow list with non-localhost entries"));
+  EXPECT_EQ(output.exit_code, 0) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("allow list with non-localhost entries"));
   EXPECT_EQ(run("systemd-analyze verify --man=no " + unit).text, "");
 }
 
@@ -137,8 +137,8 @@ class NotifySocket {
     address.sun_family = AF_UNIX;
     path.copy(address.sun_path, sizeof address.sun_path - 1);
     EXPECT_EQ(::bind(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-    const timeval patience{kPatience.count(), 0};
-    ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    const timeval timeout{kTimeout.count(), 0};
+    ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout);
   }
   ~NotifySocket() { ::close(fd_); }
 
@@ -157,7 +157,7 @@ class NotifySocket {
   int fd_;
 };
 
-TEST(Systemd, IsToldOfReadinessStatusReloadsLifeAndTheEnd) {
+TEST(Systemd, IsNotifiedOfReadinessStatusReloadsWatchdogAndTheEnd) {
   const Home home;
   NotifySocket systemd(home.path("notify"));
   DaemonProcess daemon(home, {}, {"NOTIFY_SOCKET=" + home.path("notify"), "WATCHDOG_USEC=4000000"});

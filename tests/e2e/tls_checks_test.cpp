@@ -113,7 +113,7 @@ TEST_F(TlsChecks, ThereIsNoRenegotiation) {
   }
 }
 
-TEST_F(TlsChecks, EarlyDataIsRejectedAndNothingOfItIsCarriedOut) {
+TEST_F(TlsChecks, EarlyDataIsRejectedAndNotExecuted) {
   const PermissiveServer permissive(home_);
   const std::string session = home_.path("permissive.pem");
   {

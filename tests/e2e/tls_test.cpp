@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "clients/lib/ball.h"
-#include "tests/e2e/patience.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 #include "tests/e2e/tls_fixture.h"
 #include "tests/e2e/tls_tunnel.h"
 #include "tests/e2e/web_client.h"
@@ -43,7 +43,7 @@ TEST_F(Tls, APinnedFingerprintAndATokenGiveTheirRole) {
   EXPECT_EQ(ctl({"gain", "0.5"}, variables(operate_)).exit_code, 0);
 }
 
-TEST_F(Tls, AnotherFingerprintOrAnUnknownAuthorityIsNotSpokenTo) {
+TEST_F(Tls, AnotherFingerprintOrAnUnknownAuthorityIsRejected) {
   std::vector<std::string> wrong = variables(play_);
   wrong[2] = "HEDGEHOG_FINGERPRINT=" + std::string(64, '0');
   const Ended pinned = ctl({"status"}, wrong);
@@ -54,13 +54,13 @@ TEST_F(Tls, AnotherFingerprintOrAnUnknownAuthorityIsNotSpokenTo) {
   EXPECT_THAT(daemon_.log(), Not(HasSubstr("the token arcade"))) << "it was not sent";
 }
 
-TEST_F(Tls, AFrameLoopOfTheClientLibraryGetsThroughToo) {
+TEST_F(Tls, AFrameLoopOfTheClientLibraryConnectsToo) {
   client::Address address{.host = "127.0.0.1",
                           .port = static_cast<std::uint16_t>(port("tls://")),
                           .tls = true,
                           .fingerprint = base::parse_sha256(fingerprint_),
                           .token = play_};
-  hedgehog::Ball ball({address}, {.patience = std::chrono::minutes(1)});
+  hedgehog::Ball ball({address}, {.timeout = std::chrono::minutes(1)});
   ASSERT_TRUE(wait_until([&] {
     ball.update();
     return ball.connected();
@@ -69,13 +69,13 @@ TEST_F(Tls, AFrameLoopOfTheClientLibraryGetsThroughToo) {
   EXPECT_TRUE(ball.pulse(protocol::Word::kLeft).has_value());
 }
 
-TEST_F(Tls, WithoutATokenNothingIsCarriedOut) {
-  RawClient stranger(tunnel_.port());
-  EXPECT_EQ(stranger.call("device.status")["code"], kUnauthorized);
-  EXPECT_EQ(stranger.call("device.emergency_stop")["code"], kUnauthorized);
-  EXPECT_EQ(stranger.call("hello", {{"token", "hht_guess"}})["code"], kUnauthorized);
-  EXPECT_EQ(stranger.call("hello", {{"token", play_}})["role"], "play");
-  EXPECT_EQ(stranger.call("device.status")["state"], "armed");
+TEST_F(Tls, WithoutATokenNothingIsExecuted) {
+  RawClient without_token(tunnel_.port());
+  EXPECT_EQ(without_token.call("device.status")["code"], kUnauthorized);
+  EXPECT_EQ(without_token.call("device.emergency_stop")["code"], kUnauthorized);
+  EXPECT_EQ(without_token.call("hello", {{"token", "hht_guess"}})["code"], kUnauthorized);
+  EXPECT_EQ(without_token.call("hello", {{"token", play_}})["role"], "play");
+  EXPECT_EQ(without_token.call("device.status")["state"], "armed");
 }
 
 TEST_F(Tls, OnlyVersion13WithoutEarlyDataTicketsOrRenegotiation) {
@@ -85,32 +85,32 @@ TEST_F(Tls, OnlyVersion13WithoutEarlyDataTicketsOrRenegotiation) {
   EXPECT_THAT(now, HasSubstr("New, TLSv1.3"));
   EXPECT_THAT(now, HasSubstr("Early data was not sent"));
   const std::string session = home_.path("session.pem");
-  const std::string kept = s_client("-ign_eof -sess_out " + session, "x\\n");
-  EXPECT_THAT(kept, HasSubstr("New, TLSv1.3")) << "the daemon closes at the x";
-  EXPECT_THAT(kept, Not(HasSubstr("Post-Handshake New Session Ticket")));
+  const std::string session_output = s_client("-ign_eof -sess_out " + session, "x\\n");
+  EXPECT_THAT(session_output, HasSubstr("New, TLSv1.3")) << "the daemon closes at the x";
+  EXPECT_THAT(session_output, Not(HasSubstr("Post-Handshake New Session Ticket")));
   EXPECT_EQ(home_.read("session.pem"), "") << "a session that could be resumed";
   EXPECT_THAT(s_client("", "R\\n"), HasSubstr("wrong ssl version")) << "TLS 1.3 has none";
 }
 
 TEST_F(Tls, WebSocketTakesTheTokenInTheHeaderOrInHello) {
   WebSocketClient with_header(web_.port(), "Authorization: Bearer " + play_ + "\r\n");
-  EXPECT_EQ(with_header.answer().status, 101);
+  EXPECT_EQ(with_header.response().status, 101);
   EXPECT_EQ(with_header.call("hello")["role"], "play");
   WebSocketClient later(web_.port());
-  EXPECT_EQ(later.answer().status, 101);
+  EXPECT_EQ(later.response().status, 101);
   EXPECT_EQ(later.call("device.status")["code"], kUnauthorized);
   EXPECT_EQ(later.call("hello", {{"token", operate_}})["role"], "operate");
   const WebSocketClient wrong(web_.port(), "Authorization: Bearer hht_guess\r\n");
-  EXPECT_EQ(wrong.answer().status, 401);
+  EXPECT_EQ(wrong.response().status, 401);
   const WebSocketClient foreign(web_.port(), "Origin: https://evil.example\r\n");
-  EXPECT_EQ(foreign.answer().status, 403);
+  EXPECT_EQ(foreign.response().status, 403);
 }
 
-TEST_F(Tls, HttpGivesStrangersNothingOfTheBall) {
+TEST_F(Tls, HttpWithoutATokenServesNothingOfTheBall) {
   for (const std::string path : {"/metrics", "/healthz", "/recordings/trip-0001.hhr"}) {
-    const WebAnswer answer = web_get(web_.port(), path, "Host: ball-host\r\n");
-    EXPECT_EQ(answer.status, 401) << path;
-    EXPECT_THAT(answer.header("www-authenticate"), HasSubstr("Bearer")) << path;
+    const WebResponse response = web_get(web_.port(), path, "Host: ball-host\r\n");
+    EXPECT_EQ(response.status, 401) << path;
+    EXPECT_THAT(response.header("www-authenticate"), HasSubstr("Bearer")) << path;
   }
   const std::string bearer = "Host: ball-host\r\nAuthorization: Bearer " + play_ + "\r\n";
   EXPECT_THAT(web_get(web_.port(), "/metrics", bearer).body,
@@ -119,31 +119,31 @@ TEST_F(Tls, HttpGivesStrangersNothingOfTheBall) {
   EXPECT_EQ(web_get(web_.port(), "/recordings/trip-0001.hhr", bearer).status, 404);
 }
 
-TEST_F(Tls, SlowAndGarbageHandshakesKeepNobodyOut) {
-  std::vector<std::unique_ptr<RawClient>> strangers;
+TEST_F(Tls, SlowAndInvalidHandshakesBlockNoOtherClient) {
+  std::vector<std::unique_ptr<RawClient>> clients;
   for (int i = 0; i < 60; ++i) {
-    strangers.push_back(std::make_unique<RawClient>(port(i % 2 == 0 ? "tls://" : "https://")));
-    if (i % 3 == 1) strangers.back()->send("GET / HTTP/1.1\r\n\r\n");
-    if (i % 3 == 2) strangers.back()->send("\x16\x03\x01\x02");  // begins a handshake
+    clients.push_back(std::make_unique<RawClient>(port(i % 2 == 0 ? "tls://" : "https://")));
+    if (i % 3 == 1) clients.back()->send("GET / HTTP/1.1\r\n\r\n");
+    if (i % 3 == 2) clients.back()->send("\x16\x03\x01\x02");  // begins a handshake
   }
   EXPECT_EQ(ctl({"pulse", "left"}, variables(play_)).exit_code, 0);
-  EXPECT_TRUE(strangers.front()->closed_by_daemon()) << "the oldest lost its place";
+  EXPECT_TRUE(clients.front()->closed_by_daemon()) << "the oldest lost its place";
   EXPECT_EQ(ctl({"stop"}, variables(play_)).exit_code, 0) << "the emergency stop by TLS";
   RawClient local(daemon_.socket());
   EXPECT_EQ(local.call("device.status")["state"], "disarmed");
 }
 
-TEST_F(Tls, WhoLogsInKeepsItsPlaceAmongManyWhoDoNot) {
+TEST_F(Tls, AnAuthenticatedClientStaysConnectedAmongManyOthers) {
   RawClient player(tunnel_.port());
   ASSERT_EQ(player.call("hello", {{"token", play_}})["role"], "play");
-  std::vector<std::unique_ptr<RawClient>> strangers;
+  std::vector<std::unique_ptr<RawClient>> clients;
   for (int i = 0; i < 20; ++i) {
-    strangers.push_back(std::make_unique<RawClient>(tunnel_.port()));
+    clients.push_back(std::make_unique<RawClient>(tunnel_.port()));
     // Completes the handshake; the daemon may have closed a connection above its limit.
-    strangers.back()->send("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\"}\n");
-    strangers.back()->line();
+    clients.back()->send("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\"}\n");
+    clients.back()->line();
   }
-  EXPECT_TRUE(strangers.front()->closed_by_daemon());
+  EXPECT_TRUE(clients.front()->closed_by_daemon());
   EXPECT_TRUE(player.call("ping").contains("time_ns"));
 }
 

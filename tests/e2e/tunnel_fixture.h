@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tests/e2e/exit_codes.h"
-#include "tests/e2e/patience.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 #include "tests/e2e/tls_fixture.h"
 
 namespace hedgehog::e2e {

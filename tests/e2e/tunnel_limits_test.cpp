@@ -29,7 +29,7 @@ class TunnelLimits : public TunnelFixture {
   }
 };
 
-TEST_F(TunnelLimits, OnlyABallOnTheNetworkIsALegitimateEnd) {
+TEST_F(TunnelLimits, OnlyABallOnTheNetworkIsAllowed) {
   for (const std::string address : {"127.0.0.1:7586", "ball-host:7586", "/run/x.sock"}) {
     const Ended ended = ctl({"tunnel", address}, {});
     EXPECT_EQ(ended.exit_code, kUsage) << address;
@@ -44,7 +44,7 @@ TEST_F(TunnelLimits, OnlyABallOnTheNetworkIsALegitimateEnd) {
   EXPECT_EQ(ctl({"tunnel", tls_address(), "--port", "65536"}, {}).exit_code, kUsage);
 }
 
-TEST_F(TunnelLimits, OnlyThisMachineReachesIt) {
+TEST_F(TunnelLimits, IsReachableFromThisMachineOnly) {
   TunnelProcess tunnel(home_, variables(play_));
   const auto reached = [&](const std::string& host) {
     return Program(home_, "/bin/sh", {"-c", "nc -z " + host + " " + std::to_string(tunnel.port())})
@@ -65,7 +65,7 @@ TEST_F(TunnelLimits, APortInUseIsReported) {
 
 TEST_F(TunnelLimits, JsonHasAddressesAndRole) {
   Program tunnel(home_, hedgehogctl(), {"tunnel", "--json", "--port", "0"}, variables(operate_));
-  ASSERT_TRUE(tunnel.says("\n")) << tunnel.err();
+  ASSERT_TRUE(tunnel.prints("\n")) << tunnel.err();
   const Json line = Json::parse(tunnel.out());
   EXPECT_EQ(line["address"], tls_address());
   EXPECT_EQ(line["role"], "operate");
@@ -96,7 +96,7 @@ TEST_F(TunnelLimits, ARequestOfAWebPageIsNotRelayed) {
   EXPECT_TRUE(eventually([&] { return status()["state"] == "disarmed"; }));
 }
 
-TEST_F(TunnelLimits, OneClientTooManyIsToldSoAndTheOthersStay) {
+TEST_F(TunnelLimits, OneClientTooManyIsRefusedAndTheOthersStay) {
   TunnelProcess tunnel(home_, variables(play_));
   std::vector<std::unique_ptr<RawClient>> clients;
   for (int i = 0; i < kMaxTunnelClients; ++i) {
@@ -104,7 +104,7 @@ TEST_F(TunnelLimits, OneClientTooManyIsToldSoAndTheOthersStay) {
     ASSERT_TRUE(clients.back()->call("ping").contains("time_ns")) << i;
   }
   RawClient further(tunnel.port());
-  EXPECT_THAT(further.answer()["error"]["message"].get<std::string>(),
+  EXPECT_THAT(further.response()["error"]["message"].get<std::string>(),
               HasSubstr("there are 32 clients already"));
   EXPECT_TRUE(further.closed_by_daemon());
   EXPECT_TRUE(clients.front()->call("ping").contains("time_ns"));

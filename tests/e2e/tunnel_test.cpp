@@ -71,7 +71,7 @@ TEST_F(Tunnel, AHalfClosedClientReceivesItsResponses) {
             R"({"direction":"left","on_close":"finish"}})"
             "\n");
   once.half_close();
-  EXPECT_EQ(once.answer()["result"]["accepted"], true);
+  EXPECT_EQ(once.response()["result"]["accepted"], true);
   EXPECT_TRUE(once.closed_by_daemon());
   EXPECT_EQ(watcher.notification("event")["reason"], "completed");
 }
@@ -89,7 +89,7 @@ TEST_F(Tunnel, AnotherFingerprintOrTokenIsRefusedWithASentence) {
   EXPECT_EQ(Json::parse(no_token.err)["error"]["code"], kTokenNeeded);
 }
 
-TEST_F(Tunnel, AnotherDaemonAtTheAddressIsNotSpokenToLater) {
+TEST_F(Tunnel, AnotherDaemonAtTheAddressIsRejectedLater) {
   TunnelProcess tunnel(home_, variables(play_));
   const std::string address = tls_address();
   daemon_->stop(SIGKILL);
@@ -97,7 +97,7 @@ TEST_F(Tunnel, AnotherDaemonAtTheAddressIsNotSpokenToLater) {
   start(address);
   RawClient game(tunnel.port());
   game.send(kTunnelPing);
-  EXPECT_THAT(game.answer()["error"]["message"].get<std::string>(),
+  EXPECT_THAT(game.response()["error"]["message"].get<std::string>(),
               HasSubstr("another fingerprint"));
   EXPECT_TRUE(game.closed_by_daemon());
   EXPECT_THAT(daemon_->log(), Not(HasSubstr("the token arcade")));
@@ -107,7 +107,7 @@ TEST_F(Tunnel, ClientsEndWithTheDaemonAndReachTheNextOne) {
   TunnelProcess tunnel(home_, variables(play_));
   hedgehog::Ball ball(
       {client::Address{.host = "127.0.0.1", .port = static_cast<std::uint16_t>(tunnel.port())}},
-      {.patience = std::chrono::minutes(1)});
+      {.timeout = std::chrono::minutes(1)});
   const auto connects = [&](int times) {
     return wait_until([&] {
       ball.update();
@@ -123,7 +123,7 @@ TEST_F(Tunnel, ClientsEndWithTheDaemonAndReachTheNextOne) {
   for (int i = 0; i < 2; ++i) {
     RawClient early(tunnel.port());
     early.send(kTunnelPing);
-    const Json notice = early.answer();
+    const Json notice = early.response();
     EXPECT_EQ(notice["id"], nullptr);
     EXPECT_THAT(notice["error"]["message"].get<std::string>(),
                 HasSubstr("no daemon answers at " + address + " (connection refused)"));
@@ -152,7 +152,7 @@ TEST_F(Tunnel, ABallThatAnnouncesItselfIsFoundByItsName) {
   EXPECT_THAT(unknown.err, HasSubstr("no ball \"another\" answers on this network"));
 }
 
-TEST_F(Tunnel, AClientsOwnTokenCounts) {
+TEST_F(Tunnel, AClientsOwnTokenIsUsed) {
   TunnelProcess with_token(home_, variables(play_));
   RawClient owner(with_token.port());
   EXPECT_EQ(owner.call("hello", {{"token", operate_}})["role"], "operate");
@@ -160,23 +160,23 @@ TEST_F(Tunnel, AClientsOwnTokenCounts) {
   EXPECT_EQ(owner.call("hello")["role"], "operate");
   TunnelProcess without(home_, variables(""));
   EXPECT_THAT(without.program().err(), HasSubstr("HEDGEHOG_TOKEN is not set"));
-  RawClient stranger(without.port());
-  EXPECT_EQ(stranger.call("device.status")["code"], kTokenNeeded);
-  EXPECT_EQ(stranger.call("hello", {{"token", play_}})["role"], "play");
+  RawClient without_token(without.port());
+  EXPECT_EQ(without_token.call("device.status")["code"], kTokenNeeded);
+  EXPECT_EQ(without_token.call("hello", {{"token", play_}})["role"], "play");
 }
 
 TEST_F(Tunnel, TheCommandsOfTheDocumentRun) {
   std::ifstream document(source_folder() + "/daemon/access.md");
   const std::string begin = "    hedgehogctl tunnel tls://ball-host:7586 ";
-  int seen = 0;
+  int commands = 0;
   for (std::string line; std::getline(document, line);) {
     if (!line.starts_with(begin)) continue;
     EXPECT_THAT(line, HasSubstr(" # ")) << "nothing but a comment follows";
     TunnelProcess tunnel(home_, variables(play_), {tls_address()});
     EXPECT_EQ(ctl({"pulse", "left"}, tunnel.variables()).exit_code, 0);
-    ++seen;
+    ++commands;
   }
-  EXPECT_EQ(seen, 1);
+  EXPECT_EQ(commands, 1);
 }
 
 }  // namespace

@@ -71,9 +71,9 @@ class LocalUsers : public testing::Test {
   double current_a() {
     RawClient root(daemon_->socket());
     const Json currents = root.call("device.status")["current_a"];
-    double most = 0.0;
-    for (const Json& current : currents) most = std::max(most, std::abs(current.get<double>()));
-    return most;
+    double max_a = 0.0;
+    for (const Json& current : currents) max_a = std::max(max_a, std::abs(current.get<double>()));
+    return max_a;
   }
 
   Home home_;
@@ -88,18 +88,18 @@ TEST_F(LocalUsers, HaveTheRoleOfTheirListAndOthersNone) {
   EXPECT_EQ(player->call("hello")["role"], "play") << "by a supplementary group";
   EXPECT_TRUE(player->call("effect.pulse", kTenSeconds)["accepted"]);
   EXPECT_EQ(player->call("output.set_gain", {{"gain", 0.5}})["code"], kRoleIsTooLow);
-  const auto stranger = client_of(kGamesUser);
-  EXPECT_EQ(stranger->call("hello")["code"], kNoRole) << "the same user without the group";
+  const auto without_role = client_of(kGamesUser);
+  EXPECT_EQ(without_role->call("hello")["code"], kNoRole) << "the same user without the group";
 }
 
-TEST_F(LocalUsers, WithoutARoleDriveNoCurrentAndAreToldWhy) {
-  const auto stranger = client_of(kNobodyUser);
+TEST_F(LocalUsers, WithoutARoleDriveNoCurrentAndGetTheReason) {
+  const auto without_role = client_of(kNobodyUser);
   for (const std::string method : {"effect.pulse", "effect.hold", "effect.vibrate"}) {
-    const Json error = stranger->call(method, {{"direction", "left"}});
+    const Json error = without_role->call(method, {{"direction", "left"}});
     EXPECT_EQ(error["code"], kNoRole) << method;
     EXPECT_THAT(std::string(error["message"]), HasSubstr("user 65534 has no role"));
   }
-  EXPECT_EQ(stranger->call("device.emergency_stop")["code"], kNoRole);
+  EXPECT_EQ(without_role->call("device.emergency_stop")["code"], kNoRole);
   EXPECT_LT(current_a(), 0.1);
   EXPECT_EQ(client_of(0)->call("device.status")["state"], "armed");
   // The same request by a user with the role, so that this test can fail.
@@ -108,7 +108,7 @@ TEST_F(LocalUsers, WithoutARoleDriveNoCurrentAndAreToldWhy) {
   EXPECT_TRUE(eventually([&] { return current_a() > 1.0; }));
 }
 
-TEST_F(LocalUsers, OfProgramsGetTheirExitCodeAndMayShowAToken) {
+TEST_F(LocalUsers, WithoutARoleGetTheirExitCodeAndMaySendAToken) {
   const std::vector<std::string> push{"pulse", "left"};
   EXPECT_EQ(ctl_of(kGamesUser, "--groups=users", push).exit_code, 0);
   const Ended refused = ctl_of(kNobodyUser, "--clear-groups", push);
@@ -126,7 +126,7 @@ TEST_F(LocalUsers, OfProgramsGetTheirExitCodeAndMayShowAToken) {
   EXPECT_THAT(daemon_->log(), HasSubstr("the token guest gives unix (user 65534, process "));
 }
 
-TEST_F(LocalUsers, AreNamedToTheOperatorInTheListAndTheLog) {
+TEST_F(LocalUsers, AreNamedInTheListAndTheLog) {
   const auto player = client_of(kGamesUser, {kUsersGroup});
   ASSERT_EQ(player->call("hello", {{"client", "racer"}})["role"], "play");
   EXPECT_EQ(player->call("connection.list")["code"], kRoleIsTooLow);
@@ -140,7 +140,7 @@ TEST_F(LocalUsers, AreNamedToTheOperatorInTheListAndTheLog) {
               testing::ContainsRegex("racer +unix +5 +" + std::to_string(::getpid()) + " +play"));
 }
 
-TEST_F(LocalUsers, AReloadEndsTheConnectionsAndTheEffectsOfWhoseRoleHasChanged) {
+TEST_F(LocalUsers, AReloadThatChangesTheirRoleEndsConnectionsAndEffects) {
   const auto player = client_of(kGamesUser, {kUsersGroup});
   const auto owner = client_of(kBinUser);
   ASSERT_EQ(owner->call("hello")["role"], "operate");
@@ -153,12 +153,12 @@ TEST_F(LocalUsers, AReloadEndsTheConnectionsAndTheEffectsOfWhoseRoleHasChanged) 
   EXPECT_EQ(client_of(kGamesUser, {kUsersGroup})->call("hello")["code"], kNoRole);
 }
 
-TEST_F(LocalUsers, WhomTheListsHaveLetInDoNotOperateAfterAReloadToEverybody) {
-  const auto stranger = client_of(kNobodyUser);
-  ASSERT_EQ(stranger->call("hello")["code"], kNoRole);
+TEST_F(LocalUsers, AllowedByAListDoNotOperateAfterAReloadThatAllowsAllUsers) {
+  const auto without_role = client_of(kNobodyUser);
+  ASSERT_EQ(without_role->call("hello")["code"], kNoRole);
   reload(R"("operate": ["*"])");
   EXPECT_TRUE(daemon_->logs("at the next start only: access.unix.operate"));
-  EXPECT_EQ(stranger->call("hello")["code"], kNoRole);
+  EXPECT_EQ(without_role->call("hello")["code"], kNoRole);
   EXPECT_EQ(client_of(kNobodyUser)->call("hello")["code"], kNoRole);
   start(R"("operate": ["*"])");
   EXPECT_EQ(mode_of(daemon_->socket()), 0660u);
@@ -167,12 +167,12 @@ TEST_F(LocalUsers, WhomTheListsHaveLetInDoNotOperateAfterAReloadToEverybody) {
   EXPECT_EQ(client_of(kNobodyUser)->call("hello")["role"], "observe");
 }
 
-TEST_F(LocalUsers, WithoutARoleKeepNobodyFromTheEmergencyStop) {
-  std::vector<std::unique_ptr<RawClient>> strangers;
-  constexpr int kStrangers = 100;
-  strangers.reserve(kStrangers);
-  for (int i = 0; i < kStrangers; ++i) strangers.push_back(client_of(kNobodyUser));
-  EXPECT_TRUE(strangers.front()->closed_by_daemon()) << "the oldest lost its place";
+TEST_F(LocalUsers, WithoutARoleDoNotBlockTheEmergencyStop) {
+  std::vector<std::unique_ptr<RawClient>> clients;
+  constexpr int kClients = 100;
+  clients.reserve(kClients);
+  for (int i = 0; i < kClients; ++i) clients.push_back(client_of(kNobodyUser));
+  EXPECT_TRUE(clients.front()->closed_by_daemon()) << "the oldest lost its place";
   EXPECT_FALSE(client_of(kBinUser)->call("device.emergency_stop").contains("code"));
 }
 

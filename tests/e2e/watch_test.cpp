@@ -16,7 +16,7 @@ namespace hedgehog::e2e {
 namespace {
 
 constexpr const char* kEnter = "\033[?1049h";
-constexpr const char* kLeave = "\033[?25h\033[?1049l";
+constexpr const char* kRestoreScreen = "\033[?25h\033[?1049l";
 
 class Watch : public testing::Test {
  protected:
@@ -32,10 +32,10 @@ TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
   EXPECT_TRUE(watch_.shows("▲"));
   EXPECT_TRUE(watch_.shows("back"));
   EXPECT_TRUE(watch_.shows("nothing pushes"));
-  EXPECT_FALSE(watch_.is_as_a_shell_leaves_it());
+  EXPECT_FALSE(watch_.is_restored());
 
   other_.call("events.subscribe", {{"types", {"state_changed"}}});
-  const auto push = [&] { keep_holding(other_, {{"direction", "left"}, {"current_a", 12}}); };
+  const auto push = [&] { renew_hold(other_, {{"direction", "left"}, {"current_a", 12}}); };
   EXPECT_TRUE(shows_renewing(watch_, "●", push));
   EXPECT_TRUE(shows_renewing(watch_, "N at pin 34", push));
   EXPECT_TRUE(watch_.shows("effect_started"));
@@ -49,11 +49,11 @@ TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
 
   watch_.type("q");
   EXPECT_EQ(watch_.wait(), 0);
-  EXPECT_THAT(watch_.shown(), testing::EndsWith(kLeave));
-  EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+  EXPECT_THAT(watch_.shown(), testing::EndsWith(kRestoreScreen));
+  EXPECT_TRUE(watch_.is_restored());
 }
 
-TEST_F(Watch, IsDrawnAnewInTheWidthThatTheTerminalGets) {
+TEST_F(Watch, IsRedrawnInTheNewWidthOfTheTerminal) {
   // "ball · armed · 15.0 A allowed" and the keys are 50 columns, the margins 3.
   const auto title = [](std::size_t columns) {
     return "15.0 A allowed" + std::string(columns - 53, ' ') + "SPACE stops";
@@ -72,7 +72,7 @@ TEST_F(Watch, IsDrawnAnewInTheWidthThatTheTerminalGets) {
 }
 
 /// A space counts behind another key, behind the escape sequence of one, and before leaving.
-TEST_F(Watch, ASpaceStopsWhateverIsTypedWithIt) {
+TEST_F(Watch, ASpaceStopsAmongOtherKeys) {
   ASSERT_TRUE(watch_.shows("SPACE stops"));
   other_.call("events.subscribe", {{"types", {"state_changed"}}});
   for (const char* keys : {"x ", "\033[A ", "\033 ", "xxxxxxxxxxxxxxxxxxxxxxxxxxx ", " q"}) {
@@ -89,21 +89,21 @@ TEST_F(Watch, CtrlCLeavesTheTerminalAsItWas) {
   ASSERT_TRUE(watch_.shows("SPACE stops"));
   watch_.type("\x03");
   EXPECT_EQ(watch_.wait(), 130);
-  EXPECT_THAT(watch_.shown(), testing::EndsWith(kLeave));
-  EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+  EXPECT_THAT(watch_.shown(), testing::EndsWith(kRestoreScreen));
+  EXPECT_TRUE(watch_.is_restored());
   EXPECT_EQ(other_.call("device.status")["state"], "armed");
 }
 
-TEST_F(Watch, SaysSoWhenTheDaemonGoes) {
+TEST_F(Watch, ReportsTheEndOfTheDaemon) {
   ASSERT_TRUE(watch_.shows("SPACE stops"));
   EXPECT_EQ(daemon_.stop(), 0);
   EXPECT_EQ(watch_.wait(), 69);
-  EXPECT_THAT(watch_.shown(), testing::HasSubstr(kLeave));
+  EXPECT_THAT(watch_.shown(), testing::HasSubstr(kRestoreScreen));
   EXPECT_THAT(watch_.shown(), testing::HasSubstr("the daemon ended the connection"));
-  EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+  EXPECT_TRUE(watch_.is_restored());
 }
 
-TEST(LivePictures, SayThatASilentDaemonsPictureIsOldAndThatAStopHasNoAnswer) {
+TEST(LivePictures, MarkStaleDataAndAStopWithoutResponse) {
   Home home;
   // In lock-step: the time of the ball stops too, so that it reports no other error afterwards.
   DaemonProcess daemon(home, {"--speed", "1"});
@@ -112,23 +112,23 @@ TEST(LivePictures, SayThatASilentDaemonsPictureIsOldAndThatAStopHasNoAnswer) {
   for (const std::vector<std::string>& verb :
        {std::vector<std::string>{"watch"}, {"pins", "--live"}}) {
     SCOPED_TRACE(verb.front());
-    TerminalProgram live(home, hedgehogctl(), verb, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
-    ASSERT_TRUE(live.shows("A allowed"));
+    TerminalProgram view(home, hedgehogctl(), verb, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+    ASSERT_TRUE(view.shows("A allowed"));
     daemon.signal(SIGSTOP);
-    EXPECT_TRUE(live.shows("silent: what stands here is old"));
-    live.type(" ");
-    EXPECT_TRUE(live.shows("stop sent, no answer: pull the plug"));
+    EXPECT_TRUE(view.shows("silent: what stands here is old"));
+    view.type(" ");
+    EXPECT_TRUE(view.shows("stop sent, no answer: pull the plug"));
     daemon.signal(SIGCONT);
     EXPECT_EQ(other.notification("event", "state_changed")["reason"], "emergency_stop");
-    EXPECT_TRUE(live.shows("disarmed: emergency_stop"));
-    live.type("q");
-    EXPECT_EQ(live.wait(), 0);
+    EXPECT_TRUE(view.shows("disarmed: emergency_stop"));
+    view.type("q");
+    EXPECT_EQ(view.wait(), 0);
     other.call("device.arm");
     EXPECT_EQ(other.notification("event", "state_changed")["state"], "armed");
   }
 }
 
-TEST(LivePins, AreDrawnStoppedAtSpaceAndLeftAtQ) {
+TEST(LivePins, AreDrawnStoppedBySpaceAndQuitByQ) {
   Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
@@ -138,15 +138,15 @@ TEST(LivePins, AreDrawnStoppedAtSpaceAndLeftAtQ) {
   EXPECT_TRUE(pins.shows("hundredths of a millimetre out of rest"));
   EXPECT_TRUE(pins.shows("all pins rest"));
   const Json push{{"direction", {{"pin", 1}}}, {"current_a", 12}};
-  EXPECT_TRUE(shows_renewing(pins, "rests 0.50 mm out", [&] { keep_holding(other, push); }));
+  EXPECT_TRUE(shows_renewing(pins, "rests 0.50 mm out", [&] { renew_hold(other, push); }));
   other.call("events.subscribe", {{"types", {"state_changed"}}});
   pins.type(" ");
   EXPECT_EQ(other.notification("event", "state_changed")["reason"], "emergency_stop");
   EXPECT_TRUE(pins.shows("hedgehogctl arm"));
   pins.type("q");
   EXPECT_EQ(pins.wait(), 0);
-  EXPECT_THAT(pins.shown(), testing::EndsWith(kLeave));
-  EXPECT_TRUE(pins.is_as_a_shell_leaves_it());
+  EXPECT_THAT(pins.shown(), testing::EndsWith(kRestoreScreen));
+  EXPECT_TRUE(pins.is_restored());
 }
 
 }  // namespace

@@ -6,29 +6,29 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "tests/e2e/patience.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
 
-WebAnswer read_answer(RawClient& socket, bool to_the_end) {
-  WebAnswer answer;
+WebResponse read_response(RawClient& socket, bool to_the_end) {
+  WebResponse response;
   while (const auto line = socket.line()) {
-    answer.head += *line + "\n";
+    response.head += *line + "\n";
     if (*line == "\r") break;
   }
-  if (answer.head.starts_with("HTTP/1.1 ")) answer.status = std::stoi(answer.head.substr(9));
+  if (response.head.starts_with("HTTP/1.1 ")) response.status = std::stoi(response.head.substr(9));
   while (to_the_end) {
     const auto more = socket.bytes();
     if (!more) break;
-    answer.body += *more;
+    response.body += *more;
   }
-  return answer;
+  return response;
 }
 
 }  // namespace
 
-std::string WebAnswer::header(std::string_view name) const {
+std::string WebResponse::header(std::string_view name) const {
   std::string lower = head;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -38,19 +38,19 @@ std::string WebAnswer::header(std::string_view name) const {
   return head.substr(begin, head.find('\r', begin) - begin);
 }
 
-WebAnswer web_get(int port, const std::string& target, const std::string& more,
-                  const std::string& method) {
+WebResponse web_get(int port, const std::string& target, const std::string& more,
+                    const std::string& method) {
   const std::string host = more.find("Host: ") == std::string::npos
                                ? "Host: localhost:" + std::to_string(port) + "\r\n"
                                : "";
-  return web_say(
+  return web_send(
       port, method + " " + target + " HTTP/1.1\r\n" + host + more + "Connection: close\r\n\r\n");
 }
 
-WebAnswer web_say(int port, std::string_view bytes) {
+WebResponse web_send(int port, std::string_view bytes) {
   RawClient socket(port);
   socket.send(bytes);
-  return read_answer(socket, true);
+  return read_response(socket, true);
 }
 
 WebSocketClient::WebSocketClient(int port, const std::string& more) : socket_(port) {
@@ -60,7 +60,7 @@ WebSocketClient::WebSocketClient(int port, const std::string& more) : socket_(po
   socket_.send("GET /ws HTTP/1.1\r\n" + host + more +
                "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
                "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
-  answer_ = read_answer(socket_, false);
+  response_ = read_response(socket_, false);
 }
 
 std::string WebSocketClient::framed(int opcode, std::string_view payload, bool last) {
@@ -84,13 +84,13 @@ bool WebSocketClient::frame(int opcode, std::string_view payload, bool last) {
 }
 
 std::optional<WebSocketClient::Frame> WebSocketClient::next() {
-  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
-  auto came = any();
-  while (came && came->opcode == kPing) {
-    frame(kPong, came->payload);
-    came = std::chrono::steady_clock::now() < deadline ? any() : std::nullopt;
+  const auto deadline = std::chrono::steady_clock::now() + kLongTimeout;
+  auto frame_received = any();
+  while (frame_received && frame_received->opcode == kPing) {
+    frame(kPong, frame_received->payload);
+    frame_received = std::chrono::steady_clock::now() < deadline ? any() : std::nullopt;
   }
-  return came;
+  return frame_received;
 }
 
 std::optional<WebSocketClient::Frame> WebSocketClient::any() {
@@ -119,7 +119,7 @@ Json WebSocketClient::call(const std::string& method, const Json& params) {
   const Json request{
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
   text(request.dump());
-  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kLongTimeout;
   while (std::chrono::steady_clock::now() < deadline) {
     const Json message = json();
     if (message.contains("method")) continue;

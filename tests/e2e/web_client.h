@@ -10,7 +10,7 @@
 
 namespace hedgehog::e2e {
 
-struct WebAnswer {
+struct WebResponse {
   int status = 0;  // 0: closed without an answer
   std::string head;
   std::string body;
@@ -19,10 +19,10 @@ struct WebAnswer {
 };
 
 /// One request on a connection of its own. `more`: header lines, each with CRLF.
-WebAnswer web_get(int port, const std::string& target, const std::string& more = "",
-                  const std::string& method = "GET");
+WebResponse web_get(int port, const std::string& target, const std::string& more = "",
+                    const std::string& method = "GET");
 /// Sends `bytes`; returns the response.
-WebAnswer web_say(int port, std::string_view bytes);
+WebResponse web_send(int port, std::string_view bytes);
 
 class WebSocketClient {
  public:
@@ -32,9 +32,9 @@ class WebSocketClient {
   static constexpr int kPing = 9;
   static constexpr int kPong = 10;
 
-  /// Sends the opening handshake; `answer()` has its response (101: accepted).
+  /// Sends the opening handshake; `response()` has its response (101: accepted).
   explicit WebSocketClient(int port, const std::string& more = "");
-  const WebAnswer& answer() const noexcept { return answer_; }
+  const WebResponse& response() const noexcept { return response_; }
 
   /// The bytes of one frame. `last`: final frame of its message.
   static std::string framed(int opcode, std::string_view payload, bool last);
@@ -58,7 +58,7 @@ class WebSocketClient {
   std::optional<Frame> any();
 
   RawClient socket_;
-  WebAnswer answer_;
+  WebResponse response_;
   int next_id_ = 0;
 };
 

@@ -27,8 +27,8 @@ struct PagesHome : Home {
 
 class Web : public testing::Test {
  protected:
-  WebAnswer get(const std::string& target, const std::string& more = "",
-                const std::string& method = "GET") {
+  WebResponse get(const std::string& target, const std::string& more = "",
+                  const std::string& method = "GET") {
     return web_get(daemon_.http_port(), target, more, method);
   }
   /// Value of the line of /metrics that begins with `name`.

@@ -11,10 +11,10 @@ namespace {
 
 using WebSocket = Web;
 
-TEST_F(WebSocket, SpeaksTheSameProtocolAsTcp) {
+TEST_F(WebSocket, HasTheSameProtocolAsTcp) {
   WebSocketClient web(daemon_.http_port());
   RawClient tcp(daemon_.port());
-  ASSERT_EQ(web.answer().status, 101);
+  ASSERT_EQ(web.response().status, 101);
   Json hello = web.call("hello", {{"client", "page"}});
   EXPECT_EQ(hello["role"], "operate");
   hello.erase("connection");
@@ -28,7 +28,7 @@ TEST_F(WebSocket, SpeaksTheSameProtocolAsTcp) {
         R"({"jsonrpc":"2.0","id":7,"method":"effect.stop","params":{"effect":9}})"}) {
     web.text(line);
     tcp.send(line + "\n");
-    EXPECT_EQ(web.json(), tcp.answer()) << line;
+    EXPECT_EQ(web.json(), tcp.response()) << line;
   }
   const Json info = tcp.call("connection.list")["connections"];
   ASSERT_EQ(info.size(), 2u);
@@ -65,7 +65,7 @@ TEST_F(WebSocket, AMessageMayComeInFragmentsWithAPingInBetween) {
   EXPECT_TRUE(web.json()["result"].contains("time_ns"));
 }
 
-TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsToldOnce) {
+TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsOneError) {
   WebSocketClient web(daemon_.http_port());
   web.text(kPingRequest + std::string(kMaxLine - kPingRequest.size(), ' '));
   EXPECT_TRUE(web.json().contains("result"));
@@ -78,7 +78,7 @@ TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsToldOnce) {
   EXPECT_TRUE(web.call("ping").contains("time_ns"));
 }
 
-TEST_F(WebSocket, WhatIsNoWebSocketEndsTheConnectionOnly) {
+TEST_F(WebSocket, InvalidFramesEndTheConnectionOnly) {
   WebSocketClient binary(daemon_.http_port());
   binary.frame(WebSocketClient::kBinary, "{}");
   EXPECT_EQ(binary.next().value_or(WebSocketClient::Frame{}).opcode, WebSocketClient::kClose);
@@ -116,14 +116,14 @@ TEST_F(WebSocket, EffectsEndWithTheirSocketHoweverItEnds) {
   EXPECT_EQ(web.next().value_or(WebSocketClient::Frame{}).opcode, WebSocketClient::kClose);
 }
 
-TEST_F(WebSocket, AShutdownIsSaidAndTheSocketClosed) {
+TEST_F(WebSocket, AShutdownIsAnnouncedAndTheSocketClosed) {
   WebSocketClient web(daemon_.http_port());
   web.call("events.subscribe", {{"types", {"shutting_down"}}});
   daemon_.signal(SIGTERM);
   EXPECT_EQ(web.json()["params"]["type"], "shutting_down");
-  const auto bye = web.next();
-  ASSERT_TRUE(bye);
-  EXPECT_EQ(bye->opcode, WebSocketClient::kClose);
+  const auto close_frame = web.next();
+  ASSERT_TRUE(close_frame);
+  EXPECT_EQ(close_frame->opcode, WebSocketClient::kClose);
   EXPECT_EQ(daemon_.stop(), 0);
 }
 

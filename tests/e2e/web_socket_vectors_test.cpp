@@ -67,7 +67,7 @@ TEST_F(WebSocketVectors, AMessageMayHaveAnyLength) {
   EXPECT_EQ(client.json()["error"]["code"], -32700);
 }
 
-TEST_F(WebSocketVectors, AFrameMayComeByteAfterByte) {
+TEST_F(WebSocketVectors, AFrameMayArriveByteByByte) {
   WebSocketClient client(daemon_.http_port());
   for (const char byte : frame_bytes(0x81, kPingRequest))
     client.socket().send(std::string(1, byte));

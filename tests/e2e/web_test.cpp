@@ -17,8 +17,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST_F(Web, ServesThePagesThatAreThereAndNothingElse) {
-  const WebAnswer index = get("/");
+TEST_F(Web, ServesOnlyThePages) {
+  const WebResponse index = get("/");
   EXPECT_EQ(index.status, 200);
   EXPECT_THAT(index.body, HasSubstr("<title>ball"));
   EXPECT_EQ(index.header("content-type"), "text/html; charset=utf-8");
@@ -32,7 +32,7 @@ TEST_F(Web, ServesThePagesThatAreThereAndNothingElse) {
     EXPECT_EQ(get(path).status, 404) << path;
 }
 
-TEST_F(Web, ARecordingIsNamedByItsTripAndNothingElseOfTheStateDirectoryIsServed) {
+TEST_F(Web, ARecordingIsServedByItsTripAndNothingElseOfTheStateDirectory) {
   for (const std::string path :
        {"/recordings/", "/recordings/trip-0001.hhr", "/recordings/trip-0001",
         "/recordings/state.json", "/recordings/../state.json",
@@ -44,36 +44,36 @@ TEST_F(Web, APageThatHasNotChangedIsNotSentAgain) {
   const std::string etag = get("/app.js").header("etag");
   ASSERT_FALSE(etag.empty());
   EXPECT_EQ(get("/app.js").header("cache-control"), "no-cache");
-  const WebAnswer same = get("/app.js", "If-None-Match: " + etag + "\r\n");
+  const WebResponse same = get("/app.js", "If-None-Match: " + etag + "\r\n");
   EXPECT_EQ(same.status, 304);
   EXPECT_EQ(same.body, "");
   EXPECT_EQ(get("/app.js", "If-None-Match: \"old\"\r\n").status, 200);
 }
 
 TEST_F(Web, HeadIsGetWithoutTheBody) {
-  const WebAnswer head = get("/app.js", "", "HEAD");
+  const WebResponse head = get("/app.js", "", "HEAD");
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.header("content-length"), "10");
   EXPECT_EQ(head.body, "");
 }
 
-TEST_F(Web, OnlyOwnNamesAreServed) {
+TEST_F(Web, OnlyTheOwnHostNamesAreServed) {
   const std::string port = std::to_string(daemon_.http_port());
   const std::string with_port = "127.0.0.1:" + port;
   for (const char* host : {"localhost:1", "LOCALHOST", with_port.c_str(), "127.9.9.9", "[::1]:7"})
     EXPECT_EQ(get("/healthz", std::string("Host: ") + host + "\r\n").status, 200) << host;
   for (const std::string host : {"evil.example", "127.0.0.1.evil.example", "localhost.evil.example",
                                  "127.1", "128.0.0.1", "[::1", "localhost:x", "", "[::2]"}) {
-    const WebAnswer answer = get("/healthz", "Host: " + host + "\r\n");
-    EXPECT_EQ(answer.status, 421) << host;
-    EXPECT_THAT(answer.body, HasSubstr("is not a name of this machine"));
+    const WebResponse response = get("/healthz", "Host: " + host + "\r\n");
+    EXPECT_EQ(response.status, 421) << host;
+    EXPECT_THAT(response.body, HasSubstr("is not a name of this machine"));
   }
-  EXPECT_EQ(web_say(daemon_.http_port(), "GET / HTTP/1.1\r\nConnection: close\r\n\r\n").status,
+  EXPECT_EQ(web_send(daemon_.http_port(), "GET / HTTP/1.1\r\nConnection: close\r\n\r\n").status,
             421);
   EXPECT_EQ(get("/", "Host: localhost\r\nHost: evil.example\r\n").status, 421);
 }
 
-TEST_F(Web, ForeignPagesAreRefusedByNameOfTheKey) {
+TEST_F(Web, ForeignPagesAreRefusedWithTheNameOfTheKey) {
   const std::string own =
       "Origin: http://localhost:" + std::to_string(daemon_.http_port()) + "\r\n";
   EXPECT_EQ(get("/", own).status, 200);
@@ -83,22 +83,22 @@ TEST_F(Web, ForeignPagesAreRefusedByNameOfTheKey) {
     const std::string header = "Origin: " + origin + "\r\n";
     EXPECT_EQ(get("/", header).status, 403) << origin;
     const WebSocketClient refused(daemon_.http_port(), header);
-    EXPECT_EQ(refused.answer().status, 403) << origin;
+    EXPECT_EQ(refused.response().status, 403) << origin;
   }
   EXPECT_EQ(get("/", own + "Origin: https://evil.example\r\n").status, 403) << "neither of two";
   EXPECT_TRUE(
       daemon_.logs("pages of https://evil.example may not connect: add that origin to "
                    "http.allow_origins"));
   EXPECT_EQ(
-      WebSocketClient(daemon_.http_port(), "Origin: https://game.example\r\n").answer().status,
+      WebSocketClient(daemon_.http_port(), "Origin: https://game.example\r\n").response().status,
       101);
-  EXPECT_EQ(WebSocketClient(daemon_.http_port(), "Host: evil.example\r\n").answer().status, 421);
+  EXPECT_EQ(WebSocketClient(daemon_.http_port(), "Host: evil.example\r\n").response().status, 421);
   EXPECT_EQ(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="origin"})"), 11);
 }
 
 // Fetch Metadata (W3C): a request for an image, script or link has no Origin, but a Sec-Fetch-Site
 // header.
-TEST_F(Web, WhatForeignPagesEmbedIsRefusedWithoutAnOriginToo) {
+TEST_F(Web, EmbeddingByForeignPagesIsRefusedWithoutAnOriginToo) {
   const auto fetched = [&](const std::string& path, const std::string& site,
                            const std::string& mode) {
     return get(path, "Sec-Fetch-Site: " + site + "\r\nSec-Fetch-Mode: " + mode + "\r\n").status;
@@ -119,13 +119,13 @@ TEST_F(Web, WhatForeignPagesEmbedIsRefusedWithoutAnOriginToo) {
   EXPECT_EQ(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="origin"})"), 8);
 }
 
-TEST_F(Web, GarbageAndTooMuchAreRefused) {
+TEST_F(Web, InvalidAndOversizedRequestsAreRefused) {
   const int port = daemon_.http_port();
-  EXPECT_EQ(web_say(port, kPingRequest + "\n\r\n\r\n").status, 400);
-  EXPECT_EQ(web_say(port, std::string("\0\xff\x16\x03\x01\r\n\r\n", 9)).status, 400);
+  EXPECT_EQ(web_send(port, kPingRequest + "\n\r\n\r\n").status, 400);
+  EXPECT_EQ(web_send(port, std::string("\0\xff\x16\x03\x01\r\n\r\n", 9)).status, 400);
   EXPECT_EQ(get("/", "X: " + std::string(9000, 'x') + "\r\n").status, 431);
-  EXPECT_EQ(web_say(port, "GET /" + std::string(20'000, 'x')).status, 431);
-  const WebAnswer post = get("/", "Content-Length: 2\r\n\r\n{}", "POST");
+  EXPECT_EQ(web_send(port, "GET /" + std::string(20'000, 'x')).status, 431);
+  const WebResponse post = get("/", "Content-Length: 2\r\n\r\n{}", "POST");
   EXPECT_EQ(post.status, 405);
   EXPECT_EQ(post.header("allow"), "GET, HEAD");
   EXPECT_EQ(get("/", "Content-Length: 100000\r\n", "POST").status, 413);
@@ -150,7 +150,7 @@ TEST_F(Web, OneConnectionServesSeveralRequests) {
   }
 }
 
-TEST_F(Web, MetricsIntegrateWhatHappensBetweenTwoLooks) {
+TEST_F(Web, MetricsIntegrateBetweenTwoScrapes) {
   EXPECT_TRUE(eventually(
       [&] { return metric(R"(hedgehog_device_state{device="ball",state="armed"})") == 1; }));
   EXPECT_GT(metric(R"(hedgehog_temperature_celsius{device="ball",source="sensor"})"), 10);
@@ -175,7 +175,7 @@ TEST_F(Web, MetricsIntegrateWhatHappensBetweenTwoLooks) {
     EXPECT_TRUE(eventually([&] { return metric(ticks) > 100; })) << ticks;
 }
 
-TEST_F(Web, CountersWithKnownLabelsAreThereBeforeTheyCount) {
+TEST_F(Web, CountersWithKnownLabelsStartAtZero) {
   for (const char* name :
        {R"(hedgehog_trips_total{device="ball",reason="overheated"})",
         R"(hedgehog_trips_total{device="ball",reason="sensor_frozen"})",
@@ -191,7 +191,7 @@ TEST_F(Web, CountersWithKnownLabelsAreThereBeforeTheyCount) {
     EXPECT_EQ(metric(name), 0) << name;
 }
 
-TEST_F(Web, MetricsLeadWithTheHottestWindingAndTellEachWinding) {
+TEST_F(Web, MetricsHaveTheHottestAndEachWinding) {
   const std::string text = get("/metrics").body;
   const auto at = [&](const char* line) { return text.find(line); };
   EXPECT_LT(at(R"(hedgehog_temperature_celsius{device="ball",source="model"})"),
@@ -209,7 +209,7 @@ TEST_F(Web, MetricsLeadWithTheHottestWindingAndTellEachWinding) {
   }
 }
 
-TEST_F(Web, MetricsTellWhatTheProcessUses) {
+TEST_F(Web, MetricsHaveTheResourcesOfTheProcess) {
   EXPECT_GT(metric("process_cpu_seconds_total"), 0);
   EXPECT_GT(metric("process_open_fds"), 5);
   EXPECT_GE(metric("process_max_fds"), metric("process_open_fds"));
@@ -231,20 +231,20 @@ TEST_F(Web, MetricsAreExplained) {
   EXPECT_GT(families, 30);
 }
 
-TEST(WebOff, IsNotThereWhenItIsNotWanted) {
+TEST(WebOff, IsDisabledByConfiguration) {
   Home home;
   home.configure(R"({"http": {"listen": null}})");
   const DaemonProcess daemon(home);
   EXPECT_EQ(daemon.http_port(), 0);
 }
 
-TEST(WebOff, WithoutPagesTheRestWorksAndSaysSo) {
+TEST(WebOff, WithoutPagesTheRestWorksAndItIsLogged) {
   Home home;
   home.configure(R"({"http": {"pages": "/nowhere"}})");
   const DaemonProcess daemon(home);
-  const WebAnswer answer = web_get(daemon.http_port(), "/");
-  EXPECT_EQ(answer.status, 404);
-  EXPECT_THAT(answer.body, HasSubstr("/nowhere: No such file or directory"));
+  const WebResponse response = web_get(daemon.http_port(), "/");
+  EXPECT_EQ(response.status, 404);
+  EXPECT_THAT(response.body, HasSubstr("/nowhere: No such file or directory"));
   EXPECT_EQ(web_get(daemon.http_port(), "/healthz").status, 200);
 }
 

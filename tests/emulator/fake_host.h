@@ -18,7 +18,7 @@ class FakeHost {
   explicit FakeHost(Gadget& gadget) {
     int ends[2] = {-1, -1};
     (void)::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends);
-    ours_ = device::FileDescriptor(ends[0]);
+    socket_ = device::FileDescriptor(ends[0]);
     session_.emplace(gadget, device::FileDescriptor(ends[1]));
   }
 
@@ -43,9 +43,9 @@ class FakeHost {
     return sequence_;
   }
 
-  std::uint32_t unlink(std::uint32_t victim) {
+  std::uint32_t unlink(std::uint32_t target) {
     Bytes bytes;
-    for (const std::uint32_t word : {2u, ++sequence_, 0u, 0u, 0u, victim}) put_u32(bytes, word);
+    for (const std::uint32_t word : {2u, ++sequence_, 0u, 0u, 0u, target}) put_u32(bytes, word);
     bytes.resize(kTransferHead);
     send(bytes);
     return sequence_;
@@ -54,7 +54,7 @@ class FakeHost {
   /// Nothing: no answer so far. REQUIRES: what was asked for with IN transfers is told to `next`.
   std::optional<Done> next(bool in = false) {
     Bytes head(kTransferHead);
-    if (::recv(ours_.get(), head.data(), head.size(), MSG_DONTWAIT) != kTransferHead)
+    if (::recv(socket_.get(), head.data(), head.size(), MSG_DONTWAIT) != kTransferHead)
       return std::nullopt;
     Done done{device::big_u32(&head[0]),
               device::big_u32(&head[4]),
@@ -63,7 +63,7 @@ class FakeHost {
               {}};
     if (in && done.actual > 0) {
       done.data.resize(done.actual);
-      (void)::recv(ours_.get(), done.data.data(), done.data.size(), MSG_WAITALL);
+      (void)::recv(socket_.get(), done.data.data(), done.data.size(), MSG_WAITALL);
     }
     return done;
   }
@@ -83,16 +83,16 @@ class FakeHost {
     submit(false, endpoint, static_cast<std::uint32_t>(data.size()), data);
     return next().value_or(Done{});
   }
-  /// Submits a transfer, runs the device for up to `patience_ms`, and returns the response.
-  std::optional<Done> read(std::uint8_t endpoint, int patience_ms = 1) {
+  /// Submits a transfer, runs the device for up to `timeout_ms`, and returns the response.
+  std::optional<Done> read(std::uint8_t endpoint, int timeout_ms = 1) {
     submit(true, endpoint, 64);
-    for (;; --patience_ms) {
+    for (;; --timeout_ms) {
       if (auto done = next(true)) return done;
-      if (patience_ms <= 0) return std::nullopt;
-      live(1);
+      if (timeout_ms <= 0) return std::nullopt;
+      run(1);
     }
   }
-  void live(int milliseconds) {
+  void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       session_->gadget().step();
       session_->pump();
@@ -101,7 +101,7 @@ class FakeHost {
 
   HostSession& session() { return *session_; }
   void send(const Bytes& bytes) {
-    (void)::send(ours_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    (void)::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     session_->ready();
   }
 
@@ -114,7 +114,7 @@ class FakeHost {
             low(index), high(index), low(length), high(length)};
   }
 
-  device::FileDescriptor ours_;
+  device::FileDescriptor socket_;
   std::optional<HostSession> session_;
   std::uint32_t sequence_ = 0;
 };

@@ -20,7 +20,7 @@ using device::Frame;
 
 Bytes bytes_of(const Frame& frame) { return {frame.begin(), frame.end()}; }
 
-std::string tell(Gadget& gadget, const std::string& line) {
+std::string execute(Gadget& gadget, const std::string& line) {
   return gadget.command(split(line, ' ')).value_or("unknown");
 }
 
@@ -49,11 +49,11 @@ class Board : public testing::Test {
   std::uint32_t sequence_ = 0;
 };
 
-TEST_F(Board, SaysWhatItIs) {
-  const Bytes told = host_.control_in(0x80, 6, 0x0100, 0, 18).data;
-  ASSERT_EQ(told.size(), 18U);
-  EXPECT_EQ(device::little_u16(&told[8]), 0x1209);
-  EXPECT_EQ(device::little_u16(&told[10]), 0x0001);
+TEST_F(Board, HasItsDescriptors) {
+  const Bytes descriptor = host_.control_in(0x80, 6, 0x0100, 0, 18).data;
+  ASSERT_EQ(descriptor.size(), 18U);
+  EXPECT_EQ(device::little_u16(&descriptor[8]), 0x1209);
+  EXPECT_EQ(device::little_u16(&descriptor[10]), 0x0001);
   const Bytes name = host_.control_in(0x80, 6, 0x0302, 0x0409, 255).data;
   ASSERT_EQ(name.size(), 2 + 2 * std::string("Hedgehog driver board").size());
   EXPECT_EQ(name[2], 'H');
@@ -79,12 +79,12 @@ TEST_F(Board, IsArmedAndDrivenByFramesAndSafeAfterTheyEnd) {
   EXPECT_THAT(board_.status(), testing::HasSubstr(R"("peak_a": 0.0)"));
 }
 
-TEST_F(Board, ForgetsWhatAHostDidNotReadInTime) {
-  host_.live(10);
+TEST_F(Board, DropsFramesThatTheHostDidNotReadInTime) {
+  host_.run(10);
   EXPECT_THAT(board_.status(), testing::HasSubstr(R"("frames_out": 10, "frames_lost": 6)"));
 }
 
-TEST_F(Board, StallsUntilTheHostHasClearedItAsOftenAsWasAsked) {
+TEST_F(Board, StallsUntilTheHostHasClearedItTheRequestedNumberOfTimes) {
   board_.halt(0x81, 2);
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(host_.read(1)->status, kTransferStalled);
@@ -97,11 +97,11 @@ TEST_F(Board, StallsUntilTheHostHasClearedItAsOftenAsWasAsked) {
   EXPECT_EQ(host_.write(1, Bytes(64)).status, kTransferStalled);
 }
 
-TEST_F(Board, SilentItTakesAndGivesNothingUntilTheHostGivesUp) {
+TEST_F(Board, SilentItTransfersNothingUntilTheHostTimesOut) {
   board_.set_silent(true);
   const std::uint32_t read = host_.submit(true, 1, 64);
   const std::uint32_t write = host_.submit(false, 1, 64, Bytes(64));
-  host_.live(50);
+  host_.run(50);
   EXPECT_FALSE(host_.next(true));
   for (const std::uint32_t waiting : {read, write}) {
     const std::uint32_t unlinked = host_.unlink(waiting);
@@ -116,15 +116,15 @@ TEST_F(Board, SilentItTakesAndGivesNothingUntilTheHostGivesUp) {
 }
 
 TEST_F(Board, OfAnotherVersionRefusesThisOne) {
-  EXPECT_EQ(tell(board_, "version 2"), "ok");
+  EXPECT_EQ(execute(board_, "version 2"), "ok");
   EXPECT_EQ(device::decode_telemetry(host_.read(1)->data).error, board::FrameError::kVersion);
   run(20, 0.0);
   EXPECT_THAT(board_.status(), testing::HasSubstr(R"("set_point_age_ms": null)"));
-  EXPECT_EQ(tell(board_, "version 300"), "error: version 0 to 255");
-  EXPECT_EQ(tell(board_, "dance"), "unknown");
+  EXPECT_EQ(execute(board_, "version 300"), "error: version 0 to 255");
+  EXPECT_EQ(execute(board_, "dance"), "unknown");
 }
 
-TEST_F(Board, GarbageEndsTheTalkAndNothingElse) {
+TEST_F(Board, GarbageEndsTheConnectionOnly) {
   host_.send(Bytes(kTransferHead, 0xFF));
   EXPECT_FALSE(host_.session().open());
   board_.step();
@@ -138,9 +138,9 @@ void expect_tilted(const model::Quaternion& q) {
               1e-6);
 }
 
-TEST(Mti, TalksXbusAndLiesAsItIsTold) {
+TEST(Mti, UsesXbusAndHasTheSetOrientation) {
   MtiGadget mti("1");
-  EXPECT_EQ(tell(mti, kTurn), "ok");
+  EXPECT_EQ(execute(mti, kTurn), "ok");
   FakeHost host(mti);
   device::MtiSession session;
   std::optional<device::MtSample> sample;
@@ -155,9 +155,9 @@ TEST(Mti, TalksXbusAndLiesAsItIsTold) {
   EXPECT_EQ(sample->status, 3U);
 }
 
-TEST(HidSensor, IsSilentUntilSwitchedOnAndLiesAsItIsTold) {
+TEST(HidSensor, IsSilentUntilSwitchedOnAndHasTheSetOrientation) {
   HidSensorGadget sensor("1");
-  EXPECT_EQ(tell(sensor, kTurn), "ok");
+  EXPECT_EQ(execute(sensor, kTurn), "ok");
   FakeHost host(sensor);
   const Bytes descriptor = host.control_in(0x81, 6, 0x2200, 0, 512).data;
   const auto parsed = device::parse_hid_descriptor(descriptor);
@@ -170,7 +170,7 @@ TEST(HidSensor, IsSilentUntilSwitchedOnAndLiesAsItIsTold) {
   ASSERT_EQ(feature.size(), codec->feature_bytes(1));
   codec->switch_on(feature, 0.01);
   EXPECT_EQ(host.control_out(0x21, 9, 0x0301, 0, feature).status, 0);
-  host.live(20);
+  host.run(20);
   const auto report = host.next(true);
   ASSERT_TRUE(report);
   const auto sample = codec->decode(report->data);
@@ -178,9 +178,9 @@ TEST(HidSensor, IsSilentUntilSwitchedOnAndLiesAsItIsTold) {
   expect_tilted(sample->quaternion);
 }
 
-TEST(DualSense, FeelsGravityThroughItsOwnCalibration) {
+TEST(DualSense, MeasuresGravityThroughItsOwnCalibration) {
   PadGadget pad("1");
-  EXPECT_EQ(tell(pad, kTurn), "ok");
+  EXPECT_EQ(execute(pad, kTurn), "ok");
   FakeHost host(pad);
   const auto calibration = decode_calibration(device::SonyPad::kDualSense, device::SonyBus::kUsb,
                                               host.control_in(0xA1, 1, 0x0305, 0, 41).data);
@@ -195,20 +195,20 @@ TEST(DualSense, FeelsGravityThroughItsOwnCalibration) {
   }
 }
 
-TEST(Temper, AnswersOnItsSecondInterface) {
+TEST(Temper, RespondsOnItsSecondInterface) {
   TemperGadget stick("1");
-  EXPECT_EQ(tell(stick, "temperature -3.5"), "ok");
+  EXPECT_EQ(execute(stick, "temperature -3.5"), "ok");
   FakeHost host(stick);
-  const auto ask = [&](const device::TemperReport& question) {
-    host.control_out(0x21, 9, 0x0200, 1, Bytes(question.begin(), question.end()));
+  const auto request = [&](const device::TemperReport& report) {
+    host.control_out(0x21, 9, 0x0200, 1, Bytes(report.begin(), report.end()));
     return host.read(2).value().data;
   };
-  Bytes firmware = ask(device::kTemperAskFirmware);
+  Bytes firmware = request(device::kTemperAskFirmware);
   const Bytes rest = host.read(2).value().data;
   firmware.insert(firmware.end(), rest.begin(), rest.end());
   const auto model = device::temper_model(device::temper_firmware(firmware));
   ASSERT_TRUE(model);
-  const auto reading = decode_temper(*model, ask(device::kTemperAskTemperature));
+  const auto reading = decode_temper(*model, request(device::kTemperAskTemperature));
   ASSERT_TRUE(reading);
   EXPECT_DOUBLE_EQ(reading->internal_c.value(), -3.5);
   EXPECT_FALSE(reading->external_c);

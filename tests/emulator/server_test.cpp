@@ -18,7 +18,7 @@ namespace {
 using device::FileDescriptor;
 using testing::HasSubstr;
 
-class Doors : public testing::Test {
+class EmulatorServer : public testing::Test {
  protected:
   void SetUp() override {
     for (const char* text : {"board,serial=B7", "mti,unplugged"}) {
@@ -43,8 +43,8 @@ class Doors : public testing::Test {
     address.sin_port = htons(static_cast<std::uint16_t>(port_));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     EXPECT_EQ(::connect(socket.get(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-    const timeval patience{30, 0};
-    ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    const timeval timeout{30, 0};
+    ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout);
     return socket;
   }
 
@@ -55,9 +55,9 @@ class Doors : public testing::Test {
     path_.copy(address.sun_path, sizeof address.sun_path - 1);
     EXPECT_EQ(::connect(socket.get(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
     send(socket, line + "\n");
-    std::string answer;
-    for (char c = 0; ::recv(socket.get(), &c, 1, 0) == 1 && c != '\n';) answer += c;
-    return answer;
+    std::string response;
+    for (char c = 0; ::recv(socket.get(), &c, 1, 0) == 1 && c != '\n';) response += c;
+    return response;
   }
 
   static void send(const FileDescriptor& socket, const std::string& bytes) {
@@ -86,7 +86,7 @@ class Doors : public testing::Test {
 
 constexpr std::size_t kDeviceBytes = 312;
 
-TEST_F(Doors, ListWhatIsPluggedIn) {
+TEST_F(EmulatorServer, ListsPluggedDevices) {
   const auto list = [this] {
     const FileDescriptor socket = host();
     send(socket, std::string("\x01\x11\x80\x05\0\0\0\0", 8));
@@ -101,7 +101,7 @@ TEST_F(Doors, ListWhatIsPluggedIn) {
   EXPECT_EQ(list().size(), 12 + 2 * (kDeviceBytes + 4));
 }
 
-TEST_F(Doors, ImportOneForOneHostAtATime) {
+TEST_F(EmulatorServer, ImportsADeviceForOneHostAtATime) {
   const std::string refused("\x01\x11\0\x03\0\0\0\x01", 8);
   const FileDescriptor socket = host();
   send(socket, import_request("1-1"));
@@ -123,7 +123,7 @@ TEST_F(Doors, ImportOneForOneHostAtATime) {
   EXPECT_EQ(receive(socket, 1), "") << "the cable is out";
 }
 
-TEST_F(Doors, ObeyAndSayWhatIsWrong) {
+TEST_F(EmulatorServer, RunsCommandsAndReportsErrors) {
   EXPECT_THAT(command("list"), HasSubstr(R"("serial": "B7", "plugged": true)"));
   EXPECT_THAT(command("status board"), HasSubstr(R"("mode": "safe")"));
   EXPECT_EQ(command("stall board 81 3"), "ok");
@@ -137,7 +137,7 @@ TEST_F(Doors, ObeyAndSayWhatIsWrong) {
   EXPECT_EQ(command(""), "error: no command");
 }
 
-TEST(DeviceText, SaysWhatIsWrong) {
+TEST(DeviceText, NamesTheProblem) {
   EXPECT_EQ(make_device("board,name=b,unplugged").name, "b");
   EXPECT_FALSE(make_device("board,unplugged").plugged);
   EXPECT_THAT(make_device("toaster").failure, HasSubstr("there are: board, mti"));
@@ -146,7 +146,7 @@ TEST(DeviceText, SaysWhatIsWrong) {
   EXPECT_EQ(make_device("").failure, "no kind of device");
 }
 
-TEST(VhciPorts, AreSaidToBeMissing) {
+TEST(VhciPorts, AreReportedAsMissing) {
   Hub hub(Vhci("/nowhere"));
   hub.add("board", make_device("board").gadget);
   EXPECT_THAT(hub.execute("plug board"), HasSubstr("modprobe vhci-hcd"));

@@ -33,8 +33,8 @@ bool read_front_end(const char* value, FrontEndChoice& front_end) {
 }
 
 bool read_thermistors(const char* value, FrontEndChoice& front_end) {
-  const int wanted = parse(value, front_end.thermistors) ? front_end.thermistors : -1;
-  return wanted == 0 || wanted == 1 || wanted == 3;
+  const int count = parse(value, front_end.thermistors) ? front_end.thermistors : -1;
+  return count == 0 || count == 1 || count == 3;
 }
 
 bool read_value(std::string_view name, const char* value, BoardArguments& arguments) {

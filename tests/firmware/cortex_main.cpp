@@ -66,7 +66,7 @@ void write(uint32_t file, const char* text) {
   semihosting(kWrite, arguments);
 }
 
-void say(const char* line) {
+void print(const char* line) {
   write(console, line);
   write(console, "\n");
 }
@@ -82,14 +82,14 @@ void write_number(uint32_t file, uint32_t value) {
   write(file, at);
 }
 
-[[noreturn]] void leave(uint32_t code) {
+[[noreturn]] void exit_with(uint32_t code) {
   const uint32_t arguments[] = {kApplicationExit, code};
   semihosting(kExitExtended, arguments);
   for (;;) {
   }
 }
 
-[[noreturn]] void crashed() { leave(70); }
+[[noreturn]] void crashed() { exit_with(70); }
 
 void paint_stack() {
   const auto* here = static_cast<const uint32_t*>(__builtin_frame_address(0));
@@ -114,14 +114,14 @@ void start() {
   for (uint32_t* word = bss_start; word < bss_end; ++word) *word = 0;
   paint_stack();
   console = open_console(4);
-  const bool good = hedgehog::firmware::run_vectors(say);
+  const bool good = hedgehog::firmware::run_vectors(print);
   const uint32_t errors = open_console(8);
   write(errors, "state of the core: ");
   write_number(errors, sizeof(hedgehog::board::BoardCore));
   write(errors, " bytes; stack used by the vectors, bench included: ");
   write_number(errors, stack_used());
   write(errors, " bytes\n");
-  leave(good ? 0 : 1);
+  exit_with(good ? 0 : 1);
 }
 
 #endif

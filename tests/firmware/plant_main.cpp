@@ -150,9 +150,9 @@ class Host {
       : socket_(device::FileDescriptor(fd)), world_(world) {}
 
   void receive(std::istream& words) {
-    int patience_ms = 0;
-    words >> patience_ms;
-    socket_.wait(patience_ms);
+    int timeout_ms = 0;
+    words >> timeout_ms;
+    socket_.wait(timeout_ms);
     std::vector<std::vector<std::uint8_t>> for_board;
     bool set_point = false;
     std::array<std::uint8_t, 2 * board::kFrameSize> packet{};
@@ -169,7 +169,7 @@ class Host {
     std::printf("\n");
   }
 
-  void answer(std::istream& words) {
+  void respond(std::istream& words) {
     std::uint32_t now_ms = 0;
     words >> now_ms;
     device::Frame frame;
@@ -230,7 +230,7 @@ int main(int argument_count, char** arguments) {
     } else if (command == "host" && host) {
       host->receive(words);
     } else if (command == "answer" && host) {
-      host->answer(words);
+      host->respond(words);
     } else if (command == "core") {
       core = board::BoardCore{};
       std::printf("ok\n");

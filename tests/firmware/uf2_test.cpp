@@ -22,13 +22,13 @@ std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t at) {
 }
 
 // The check value of the catalogue of parametrised CRC algorithms.
-TEST(SecondStage, IsSummedUpAsCrc32Mpeg2) {
+TEST(SecondStage, HasACrc32Mpeg2Checksum) {
   constexpr std::string_view kCheck = "123456789";
   const std::vector<std::uint8_t> bytes(kCheck.begin(), kCheck.end());
   EXPECT_EQ(crc32_mpeg2(bytes), 0x0376E6E7u);
 }
 
-TEST(SecondStage, IsFilledUpAndEndsWithItsSum) {
+TEST(SecondStage, IsPaddedAndEndsWithItsChecksum) {
   const auto stage = boot2_with_crc(std::vector<std::uint8_t>(100, 0xA5));
   ASSERT_TRUE(stage);
   ASSERT_EQ(stage->size(), 256u);

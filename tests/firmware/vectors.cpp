@@ -107,7 +107,7 @@ struct Bench {
 };
 
 struct Result {
-  Say say;
+  Print print;
   bool good = true;
   /// Bits of modes and faults that occurred in the random tests.
   uint32_t modes = 0;
@@ -122,7 +122,7 @@ struct Result {
     made.text("ms ").hex(bench.core.now_ms()).text(" hash ").hex(bench.hash);
     if (!expected) made.text(" UNEXPECTED");
     good = good && expected;
-    say(made.end());
+    print(made.end());
   }
 };
 
@@ -130,7 +130,7 @@ void faults(Result& result) noexcept {
   struct Case {
     const char* name;
     Fault fault;
-    void (*injure)(Bench&);
+    void (*damage)(Bench&);
   };
   const Case cases[] = {
       {"dead man", kDeadMan, [](Bench& b) { b.feeding = false; }},
@@ -167,7 +167,7 @@ void faults(Result& result) noexcept {
     bench.arm();
     bench.run(50);
     result.line(c.name, bench, bench.core.mode() == Mode::kDriving);
-    c.injure(bench);
+    c.damage(bench);
     bench.run(150);
     const BoardOutputs& out = bench.core.outputs();
     const bool safe = !out.awake && out.duty_q15[0] == 0 && out.fan == 255;
@@ -186,7 +186,7 @@ void faults(Result& result) noexcept {
 
 /// Random input for minutes: measurements from the whole range; frames complete, corrupt, late,
 /// truncated.
-void soup(Result& result, uint32_t seed, int ms) noexcept {
+void random_packets(Result& result, uint32_t seed, int ms) noexcept {
   Noise noise(seed);
   Bench bench;
   bench.arm();
@@ -255,29 +255,30 @@ void port(Result& result, const char* name, const Wiring& wiring) noexcept {
     hash = crc32(bytes, sizeof(bytes));
   }
   Line line;
-  result.say(line.text(name).text(": hash ").hex(hash).end());
+  result.print(line.text(name).text(": hash ").hex(hash).end());
 }
 
 }  // namespace
 
-bool run_vectors(Say say) noexcept {
-  Result result{say};
+bool run_vectors(Print print) noexcept {
+  Result result{print};
   const uint8_t digits[] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
   const uint32_t crc = crc32(digits, sizeof(digits));
   result.good = crc == 0xCBF43926u;
   Line line;
-  say(line.text("crc32: ").hex(crc).end());
+  print(line.text("crc32: ").hex(crc).end());
   faults(result);
   port(result, "port with CS", Wiring{});
   port(result, "port with shunts", reference_wiring());
-  for (uint32_t seed = 1; seed <= 8; ++seed) soup(result, seed, 120'000);
+  for (uint32_t seed = 1; seed <= 8; ++seed) random_packets(result, seed, 120'000);
   // Otherwise the random input did not cover enough.
-  const bool rich = result.modes == 0xE && result.seen == 0x7FF;
-  Line met;
-  say(met.text("met: modes ").hex(result.modes, 1).text(" faults ").hex(result.seen, 4).end());
+  const bool covers_all = result.modes == 0xE && result.seen == 0x7FF;
+  Line summary;
+  print(
+      summary.text("met: modes ").hex(result.modes, 1).text(" faults ").hex(result.seen, 4).end());
   Line compared;
-  say(compared.text("frames: ").hex(frames).end());
-  result.good = result.good && rich && frames >= 1u << 20;
+  print(compared.text("frames: ").hex(frames).end());
+  result.good = result.good && covers_all && frames >= 1u << 20;
   return result.good;
 }
 

@@ -8,9 +8,9 @@
 namespace hedgehog::firmware {
 
 /// Called with one line at a time, without its end.
-using Say = void (*)(const char* line);
+using Print = void (*)(const char* line);
 
 /// All vectors; true when every expectation in them held.
-bool run_vectors(Say say) noexcept;
+bool run_vectors(Print print) noexcept;
 
 }  // namespace hedgehog::firmware

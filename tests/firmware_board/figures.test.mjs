@@ -27,7 +27,7 @@ const port = (pattern) => constant("daemon/device/board_core/port.h", pattern);
 const frontEnd = (pattern) => constant("daemon/device/simulator/front_end.cpp", pattern);
 const close = (actual, expected) => assert.ok(Math.abs(actual - expected) <= 1e-6 * Math.abs(expected), `${actual} is not ${expected}`);
 
-test("the firmware takes the reference board for what it is", () => {
+test("the constants of the firmware are those of the reference board", () => {
   for (const at of ["U7.CH0", "U7.CH1", "U7.CH2"]) {
     const { voltsPerUnit, zero, amp } = circuitAt(reference, kTypes, at);
     close(1e6 * voltsPerUnit, port(/current_uv_per_a\[k\] = ([\d']+);/));
@@ -39,7 +39,7 @@ test("the firmware takes the reference board for what it is", () => {
   assert.equal(port(/wiring\.thermistors = (\d);/), 3);
 });
 
-test("the firmware takes both boards' divider, converter and CS for what they are", () => {
+test("divider, converter and CS of the firmware are those of both boards", () => {
   for (const board of [reference, thesis]) {
     const { upper, lower } = circuitAt(board, kTypes, "U7.CH4");
     close(upper.value, port(/supply_upper_ohm = ([\d']+);/));
@@ -50,7 +50,7 @@ test("the firmware takes both boards' divider, converter and CS for what they ar
   }
 });
 
-test("the firmware takes each calibration that parts within their tolerances can lead to", () => {
+test("the firmware accepts each calibration within the tolerances of the parts", () => {
   const limit = (name) => constant("firmware/pico_wiring.h", new RegExp(`${name} = ([\\d']+);`));
   // The deviations that a voltmeter at the amplifier's output and an ammeter measure, all at their limits.
   const seen = (name, kinds) => errorBudget(reference, kTypes).find((one) => one.name === name).list
@@ -91,7 +91,7 @@ test("zero must be calibrated: out of the box it may be off by more than the sim
   assert.ok(found.combined > frontEnd(/kInLineOffsetA = ([\d.]+);/));
 });
 
-test("what the supply's amplifier shows at no current is below what counts as a stuck bridge", () => {
+test("the supply's amplifier at no current is below the threshold of a stuck bridge", () => {
   const budget = errorBudget(reference, kTypes);
   const floor = budget.find(({ name }) => name === "supply_a floor").worst;
   const zero = budget.find(({ name }) => name === "supply_a zero, calibrated").worst;
@@ -120,7 +120,7 @@ test("the board stands bridges that fall asleep at full current; nothing needs t
   assert.ok(ways.cases[0].seconds < ways.brakeS / 10);
 });
 
-test("the limits of the board are those of its reckoning", () => {
+test("the limits of the board are those calculated", () => {
   const core = (pattern) => constant("daemon/device/board_core/limits.h", pattern);
   assert.equal(reference.winding.amps, core(/current_ma = (\d+);/) / 1e3);
   assert.ok(kTypes.get("G2_18V17").practical_v < core(/supply_max_mv = (\d+);/) / 1e3);
@@ -207,12 +207,12 @@ test("the firmware's pins are the board's", (context) => {
   }
 });
 
-test("the README tells the reckoning's figures", () => {
+test("the README has the calculated figures", () => {
   const text = sourceText("firmware/board/README.md");
   const { cases, bare, stuckJ, farads, brakeS } = safeWays(reference, kTypes);
-  const told = [`13.2 → ${cases[0].peakV.toFixed(1)} V; all three at 18 A: ${cases[2].peakV.toFixed(1)} V`,
+  const texts = [`13.2 → ${cases[0].peakV.toFixed(1)} V; all three at 18 A: ${cases[2].peakV.toFixed(1)} V`,
     `${cases[0].returnedJ.toFixed(2)} J of it come back`, `after ${(1e3 * cases[0].seconds).toFixed(1)} ms`,
     `VM would reach ${bare.peakV.toFixed(0)} V`, `${stuckJ.toFixed(1)} J |`, `${(1e3 * farads[0].farad).toFixed(2)} mF hold 24 V`,
     `want ${(1e3 * farads[1].farad).toFixed(1)} mF`, `5 L/R = ${(1e3 * brakeS).toFixed(0)} ms`];
-  for (const one of told) assert.ok(text.includes(one), one);
+  for (const one of texts) assert.ok(text.includes(one), one);
 });

@@ -83,7 +83,7 @@ def query(prometheus, expression):
     return int(float(result[0]["value"][1])) if result else 0
 
 
-def telemetry_lost(lines):
+def lost_telemetry(lines):
     """(messages, lost, balls)."""
     last, messages, lost = {}, 0, 0
     for line in lines:
@@ -129,7 +129,7 @@ def main(folder):
     print("| program | number | processor time, % of one | memory, MB |\n|---|---|---|---|")
     for kind, (cpu, memory, count) in after.items():
         print(f"| {kind} | {count} | {100 * (cpu - before[kind][0]) / took:.1f} | {memory / 1e6:.0f} |")
-    messages, lost, balls = telemetry_lost((folder / "telemetry").read_text().splitlines())
+    messages, lost, balls = lost_telemetry((folder / "telemetry").read_text().splitlines())
     print(f"telemetry: {messages} messages of {balls} balls, {lost} lost; scrapes: {scrapes}, {scrapes - good} failed")
     if balls != DAEMONS or not scrapes:
         sys.exit("tests/fleet: not every ball was heard of")

@@ -17,11 +17,11 @@ namespace board = hedgehog::board;
 
 constexpr std::size_t kCrcAt = board::kFrameSize - 4;
 
-/// The packet that `said` defines: a length, and whether its header and check sum are made valid.
-std::span<const std::uint8_t> packet(std::span<const std::uint8_t> said,
+/// The packet that `spec` defines: a length, and whether its header and check sum are made valid.
+std::span<const std::uint8_t> packet(std::span<const std::uint8_t> spec,
                                      std::array<std::uint8_t, 2 * board::kFrameSize>& buffer) {
-  const std::uint8_t kind = said[0];
-  const auto body = said.subspan(1);
+  const std::uint8_t kind = spec[0];
+  const auto body = spec.subspan(1);
   buffer.fill(0);
   std::copy(body.begin(), body.end(), buffer.begin());
   if (kind % 4 == 0) return {buffer.data(), body.size()};

@@ -29,8 +29,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (answers.query().size() > 1200) std::abort();
   const auto balls = answers.balls();
   for (const DiscoveredBall& ball : balls) {
-    const bool whole = !ball.name.empty() && ball.address.port != 0 && !ball.address.host.empty();
-    if (!whole || !is_plain(ball.name) || !is_plain(ball.host) ||
+    const bool complete =
+        !ball.name.empty() && ball.address.port != 0 && !ball.address.host.empty();
+    if (!complete || !is_plain(ball.name) || !is_plain(ball.host) ||
         !is_plain(ball.serial.value_or("")) || !is_plain(ball.protocol.value_or("")))
       std::abort();
     const auto chosen = chosen_ball(ball.name, balls);

@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (image.error().message.empty()) std::abort();
     return 0;
   }
-  const bool whole = size == image->blocks * kUf2BlockBytes && image->blocks >= 1;
+  const bool complete = size == image->blocks * kUf2BlockBytes && image->blocks >= 1;
   const bool inside =
       image->end >= kFlashBegin + image->bytes() && image->end <= kFlashBegin + kFlashBytes;
-  if (!whole || !inside || *read_uf2({data, size}) != *image) std::abort();
+  if (!complete || !inside || *read_uf2({data, size}) != *image) std::abort();
   return 0;
 }

@@ -18,7 +18,7 @@ namespace {
 namespace racer = hedgehog::racer;
 namespace server = hedgehog::server;
 
-void hold(bool law) {
+void require(bool law) {
   if (!law) std::abort();
 }
 
@@ -41,27 +41,28 @@ bool is_at(std::string_view origin, std::string_view host) {
          same_but_for_case(origin.substr(kScheme.size()), host);
 }
 
-bool is_between(double value, double least, double most) { return value >= least && value <= most; }
+bool is_between(double value, double min, double max) { return value >= min && value <= max; }
 
-void knock(std::string_view host, std::string_view origin) {
+void check_origin(std::string_view host, std::string_view origin) {
   server::HttpRequest request{"GET", "/ws", std::string(host), std::string(origin)};
   const auto refused = server::refused(request, {});
-  hold(refused || (server::is_own_host(host) && is_at(origin, host)));
+  require(refused || (server::is_own_host(host) && is_at(origin, host)));
   if (refused) {
     const std::string& words = *refused->answer.body;
-    hold(std::all_of(words.begin(), words.end() - 1, [](char c) { return c >= 0x20 && c < 0x7f; }));
+    require(
+        std::all_of(words.begin(), words.end() - 1, [](char c) { return c >= 0x20 && c < 0x7f; }));
   }
   const racer::HostCheck endpoint{"127.0.0.1", 7585};
-  hold(!endpoint.may_connect(host, origin) || is_at(origin, host));
+  require(!endpoint.may_connect(host, origin) || is_at(origin, host));
 }
 
-void tell(std::string_view text) {
+void check_message(std::string_view text) {
   const racer::PageMessage message = racer::page_message(text);
   if (const auto* keys = std::get_if<racer::KeysHeld>(&message)) {
-    hold(is_between(keys->controls.steer, -1, 1) && is_between(keys->controls.throttle, 0, 1) &&
-         is_between(keys->controls.brake, 0, 1));
+    require(is_between(keys->controls.steer, -1, 1) && is_between(keys->controls.throttle, 0, 1) &&
+            is_between(keys->controls.brake, 0, 1));
   } else if (const auto* not_understood = std::get_if<racer::InvalidMessage>(&message)) {
-    hold(!not_understood->why.empty() && !racer::refusal_text(not_understood->why).empty());
+    require(!not_understood->why.empty() && !racer::refusal_text(not_understood->why).empty());
   }
 }
 
@@ -76,7 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   };
   const std::string_view host = line();
   const std::string_view origin = line();
-  knock(host, origin);
-  tell(rest);
+  check_origin(host, origin);
+  check_message(rest);
   return 0;
 }

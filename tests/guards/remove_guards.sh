@@ -33,7 +33,7 @@ exchange() {
   mv "$1.new" "$1"
 }
 
-# A folder for each guard: its changed files in source/; the other files are the input of judge_guard.sh.
+# A folder for each guard: its changed files in source/; the other files are the input of test_guard.sh.
 hazard='' guard='' file='' cut='' number=0 folder=''
 begin() { # guard
   guard=$1
@@ -75,7 +75,7 @@ done <tests/guards/guards.txt
 . tests/relink.sh
 list_commands "$work/commands"
 guards_with() { find "$work" -name "$1" -printf '%h\n' | sort -t/ -k3 -n; }
-guards_with selected | xargs -r -P "${JOBS:-2}" -n 1 tests/guards/judge_guard.sh || true
+guards_with selected | xargs -r -P "${JOBS:-2}" -n 1 tests/guards/test_guard.sh || true
 wanted=$(guards_with selected | wc -l)
 [ "$wanted" -gt 0 ] || { echo "guards: none has $word" >&2; exit 64; }
 red=$(guards_with seen_red | wc -l)

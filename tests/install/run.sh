@@ -134,8 +134,8 @@ quick_start() {
 }
 felt "quick start" quick_start
 
-step "a newcomer's way"
-PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/newcomer.py" "$prefix/bin/hedgehogd" C++
+step "the quick start of C++"
+PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/quick_starts.py" "$prefix/bin/hedgehogd" C++
 
 # Packages needed only by programs and tests must not be required. CMake uses its module PkgConfig for OpenSSL even without pkg-config.
 without="$(printf ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' CLI11 spdlog GTest rapidcheck benchmark) -DPKG_CONFIG_EXECUTABLE=/bin/false"

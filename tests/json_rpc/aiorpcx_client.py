@@ -44,8 +44,8 @@ class Client(unittest.IsolatedAsyncioTestCase):
         self.assertTrue(pulse["accepted"])
 
     async def test_calls_at_once(self):
-        answers = await asyncio.gather(*(self.session.send_request("ping") for _ in range(30)))
-        self.assertEqual(len([answer["time_ns"] for answer in answers]), 30)
+        responses = await asyncio.gather(*(self.session.send_request("ping") for _ in range(30)))
+        self.assertEqual(len([response["time_ns"] for response in responses]), 30)
 
     async def test_errors(self):
         for method, params, code in (

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 
 import { Daemon } from '../web/daemon.mjs';
-import { comes } from '../web/patience.mjs';
+import { eventually } from '../web/timeouts.mjs';
 
 const run = promisify(execFile);
 const here = (file) => fileURLToPath(new URL(file, import.meta.url));
@@ -24,6 +24,6 @@ test('libjson-rpc-cpp calls, fails and batches on the Unix socket', async () => 
   const earlier = await daemon.ended('completed');
   await run(process.env.HEDGEHOG_JSONRPCCPP_CLIENT, [`${daemon.home}/run/hedgehog/hedgehogd.sock`]);
   // The pulse of its call, and that of the notification in its batch.
-  await comes(async () => await daemon.ended('completed') >= earlier + 2);
+  await eventually(async () => await daemon.ended('completed') >= earlier + 2);
   assert.equal(await daemon.ended('completed'), earlier + 2);
 });

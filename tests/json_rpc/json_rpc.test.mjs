@@ -21,8 +21,8 @@ test('jayson calls a line at a time, alone and in a batch', async () => {
   assert.equal(pulse.result.accepted, true);
   assert.equal((await client.request('no.such', {})).error.code, -32601);
   assert.equal((await client.request('effect.pulse', ['left'])).error.code, -32602);
-  const answers = await client.request([client.request('ping', {}, undefined, false), client.request('no.such', {}, undefined, false)]);
-  assert.deepEqual(answers.map((answer) => answer.error?.code ?? 'result'), ['result', -32601]);
+  const responses = await client.request([client.request('ping', {}, undefined, false), client.request('no.such', {}, undefined, false)]);
+  assert.deepEqual(responses.map((response) => response.error?.code ?? 'result'), ['result', -32601]);
 });
 
 test('json-rpc-2.0 calls, fails, batches and is notified', async (context) => {
@@ -40,8 +40,8 @@ test('json-rpc-2.0 calls, fails, batches and is notified', async (context) => {
   peer.notify('effect.pulse', kPulse);
   assert.equal((await ended).reason, 'completed');
   const batch = ['1', 2].map((id) => ({ jsonrpc: '2.0', id, method: 'ping' }));
-  const answers = await peer.client.requestAdvanced(batch);
-  assert.deepEqual(answers.map(({ id }) => id), ['1', 2]);
+  const responses = await peer.client.requestAdvanced(batch);
+  assert.deepEqual(responses.map(({ id }) => id), ['1', 2]);
 });
 
 test('rpc-websockets calls and is notified on /ws', async (context) => {

@@ -35,10 +35,10 @@ export const is_utf8 = ({ text }) => text !== null;
 /** The rows of README.md's table: name of a document -> `{ refused, why }`. */
 const rows = new Map();
 for (const line of (await readFile(new URL('README.md', import.meta.url), 'utf8')).split('\n')) {
-  const [, verdict, why, names] = /^\| (read|refused) \| (.*) \| (`[iy]_.*) \|$/.exec(line) ?? [];
+  const [, outcome, why, names] = /^\| (read|refused) \| (.*) \| (`[iy]_.*) \|$/.exec(line) ?? [];
   for (const [, name] of (names ?? '').matchAll(/`([^`]+)`/g)) {
     assert.ok(!rows.has(name), `${name} stands twice in README.md`);
-    rows.set(name, { refused: verdict === 'refused', why });
+    rows.set(name, { refused: outcome === 'refused', why });
   }
 }
 

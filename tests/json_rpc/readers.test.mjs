@@ -39,7 +39,7 @@ before(async () => {
 const read_by = (reader) => documents.filter((_, i) => outcomes[i][kReaders.indexOf(reader)] === 'r').map(({ name }) => name);
 const readable = (also = []) => documents.filter((document) => !is_refused(document) || also.includes(document.name)).map(({ name }) => name);
 
-test('what comes over the wire is read as the daemon answers it', () => {
+test('texts of the wire are accepted as the daemon accepts them', () => {
   assert.deepEqual(read_by('wire'), readable());
 });
 

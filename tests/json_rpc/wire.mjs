@@ -32,12 +32,12 @@ class Wire {
     const id = `ping ${++this.#pings}`;
     this.send(document);
     this.send(Buffer.from(JSON.stringify({ jsonrpc: '2.0', id, method: 'ping' })));
-    const answers = [];
+    const responses = [];
     for (;;) {
       const item = await this.incoming.next();
-      if (item.closed !== undefined) return { answers, closed: item.closed };
-      if (item.id === id) return { answers, closed: null, pong: item };
-      answers.push(item);
+      if (item.closed !== undefined) return { responses, closed: item.closed };
+      if (item.id === id) return { responses, closed: null, pong: item };
+      responses.push(item);
     }
   }
 }

@@ -12,8 +12,8 @@
 namespace hedgehog::model {
 namespace {
 
-void expect_near(const Vec3& got, const Vec3& wanted) {
-  EXPECT_NEAR(norm(got - wanted), 0.0, 1e-12);
+void expect_near(const Vec3& got, const Vec3& expected) {
+  EXPECT_NEAR(norm(got - expected), 0.0, 1e-12);
 }
 
 TEST(Direction, NamesAreXForwardYLeftZUp) {
@@ -25,7 +25,7 @@ TEST(Direction, NamesAreXForwardYLeftZUp) {
   EXPECT_EQ(direction_named("down"), (Vec3{0, 0, -1}));
 }
 
-TEST(Direction, OtherWordsAreNone) {
+TEST(Direction, OtherWordsAreInvalid) {
   for (const char* word : {"", "Left", "forward", "lef", "left ", "north"})
     EXPECT_EQ(direction_named(word), std::nullopt) << word;
 }
@@ -41,7 +41,7 @@ TEST(Direction, AzimuthRunsAnticlockwiseSeenFromAbove) {
   expect_near(vector_of({0, 45}), {std::sqrt(0.5), 0, std::sqrt(0.5)});
 }
 
-TEST(Direction, PolesAndNothingHaveAzimuthZero) {
+TEST(Direction, PolesAndTheZeroVectorHaveAzimuthZero) {
   EXPECT_EQ(angles_of({0, 0, 3}).azimuth_deg, 0.0);
   EXPECT_NEAR(angles_of({0, 0, 3}).elevation_deg, 90.0, 1e-12);
   EXPECT_NEAR(angles_of({0, 0, -3}).elevation_deg, -90.0, 1e-12);

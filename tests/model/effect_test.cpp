@@ -80,16 +80,16 @@ TEST(Waveforms, NoiseWandersAndRepeatsExactly) {
   const auto noise = vibration(Waveform::kNoise, 100);
   const auto level = levels(noise, 5000);
   double sum = 0;
-  double least = 1;
-  double most = 0;
+  double min_x = 1;
+  double max_x = 0;
   for (const double x : level) {
     sum += x;
-    least = std::min(least, x);
-    most = std::max(most, x);
+    min_x = std::min(min_x, x);
+    max_x = std::max(max_x, x);
   }
   EXPECT_NEAR(sum / 5000, 0.5, 0.05);
-  EXPECT_LT(least, 0.1);
-  EXPECT_GT(most, 0.9);
+  EXPECT_LT(min_x, 0.1);
+  EXPECT_GT(max_x, 0.9);
   EXPECT_EQ(level, levels(noise, 5000));
 }
 
@@ -155,7 +155,7 @@ TEST(Circles, HaveFifteenStepsAtTheEquatorAndElevenAt45Degrees) {
   EXPECT_EQ(circle_steps(180), 1);
 }
 
-TEST(Circles, OfAnotherPitchHaveStepsOfThat) {
+TEST(Circles, OfAnotherPitchHaveItsNumberOfSteps) {
   EXPECT_EQ(circle_steps(90, 36.0), 10);
   EXPECT_EQ(circle_steps(30, 36.0), 5);
   EffectSpec spec = circle();
@@ -213,28 +213,29 @@ RC_GTEST_PROP(Circles, KeepTheirAngleFromTheAxis, ()) {
   }
 }
 
-TEST(Updates, AWiderRingGoesOnAtTheSameAngle) {
+TEST(Updates, AWiderRingContinuesAtTheSameAngle) {
   const auto narrow = circle(45, 10, true);
   const auto wide = circle(90, 10, true);
   EffectPhase phase;
   phase.steps = 11.0 / 4;
-  const auto kept = carried(narrow, wide, phase);
-  EXPECT_NEAR(azimuth_deg(direction_at(wide.trajectory, kept)), 90.0, 1e-9);
+  const auto carried_phase = carried(narrow, wide, phase);
+  EXPECT_NEAR(azimuth_deg(direction_at(wide.trajectory, carried_phase)), 90.0, 1e-9);
 }
 
-TEST(Updates, TurningRoundGoesBackFromWhereItIs) {
+TEST(Updates, AReversalContinuesFromThePresentAngle) {
   for (const bool smooth : {false, true}) {
     const auto there = circle(90, 10, smooth);
     auto back = there;
     back.trajectory.clockwise = true;
     EffectPhase phase;
     phase.steps = 3.25;
-    auto kept = carried(there, back, phase);
-    EXPECT_NEAR(
-        distance(direction_at(back.trajectory, kept), direction_at(there.trajectory, phase)), 0.0,
-        1e-9);
-    for (int i = 0; i < 100; ++i) kept = advanced(back, kept);
-    EXPECT_NEAR(azimuth_deg(direction_at(back.trajectory, kept)), smooth ? 54.0 : 48.0, 1e-6);
+    auto carried_phase = carried(there, back, phase);
+    EXPECT_NEAR(distance(direction_at(back.trajectory, carried_phase),
+                         direction_at(there.trajectory, phase)),
+                0.0, 1e-9);
+    for (int i = 0; i < 100; ++i) carried_phase = advanced(back, carried_phase);
+    EXPECT_NEAR(azimuth_deg(direction_at(back.trajectory, carried_phase)), smooth ? 54.0 : 48.0,
+                1e-6);
   }
 }
 

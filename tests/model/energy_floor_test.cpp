@@ -18,7 +18,7 @@ double above_floor_k(const PlantParameters& real, double current_a, double secon
   Plant plant(real, 25.0);
   const ThermalState start{{25.0, 25.0, 25.0}, 25.0};
   EnergyFloor floor(ThermalModel{}, 0.2, start, 25.0);
-  double least_k = 100.0;
+  double min_k = 100.0;
   for (double t = 0.0; t < seconds; t += 0.1) {
     const double loss_w = plant.resistance_ohm(1) * current_a * current_a;
     for (int i = 0; i < 5; ++i) plant.step_thermal({0, current_a * current_a, 0}, 0.0, 0.02);
@@ -29,9 +29,9 @@ double above_floor_k(const PlantParameters& real, double current_a, double secon
       readings.valid[i] = thermistors || coil == real.sensor_winding;
     }
     floor.step({0, loss_w, 0}, false, readings, 0.1);
-    least_k = std::min(least_k, plant.heat().winding_c[1] - floor.winding_c(1));
+    min_k = std::min(min_k, plant.heat().winding_c[1] - floor.winding_c(1));
   }
-  return least_k;
+  return min_k;
 }
 
 RC_GTEST_PROP(EnergyFloor, IsBelowEveryBallOfTheFamily, ()) {

@@ -84,8 +84,9 @@ TEST(Field, FractionsAroundTheAimedPin) {
   std::array<double, 86> forces{};
   pin_forces(thesis_ball().array, aimed_at(kHexagon, 1.0), 1.0, forces);
   std::sort(forces.rbegin(), forces.rend());
-  const double wanted[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
-  for (std::size_t i = 0; i < std::size(wanted); ++i) EXPECT_NEAR(forces[i], wanted[i], 6e-4) << i;
+  const double expected[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
+  for (std::size_t i = 0; i < std::size(expected); ++i)
+    EXPECT_NEAR(forces[i], expected[i], 6e-4) << i;
 }
 
 /// Spatial spread of a felt field: never one pin, always an area (thesis section 3.1.3).

@@ -30,7 +30,7 @@ ForecastStart warm(double celsius) {
 }
 
 /// The state of that ball as estimated by the limiter's observer.
-ForecastStart seen(ForecastStart start) {
+ForecastStart measured(ForecastStart start) {
   ThermalLoop loop(PlantParameters{}, start.ambient_c);
   loop.start_at(start.nodes);
   start.above_k = loop.observer.estimate().hottest_c - hottest_winding(start.nodes);
@@ -38,41 +38,41 @@ ForecastStart seen(ForecastStart start) {
 }
 
 /// Seconds until the limiter first reduces a current in the closed loop; -1: not within 4 h.
-double loop_seconds_to_derating(const ForecastStart& start, const Vec3& wanted) {
+double loop_seconds_to_derating(const ForecastStart& start, const Vec3& current) {
   ThermalLoop loop(PlantParameters{}, start.ambient_c);
   loop.start_at(start.nodes);
   for (int tick = 1; tick < 4 * 3600 * 1000; ++tick) {
-    loop.tick(wanted);
-    if (norm(loop.driven) < norm(wanted) - 1e-6) return tick * 1e-3;
+    loop.tick(current);
+    if (norm(loop.driven) < norm(current) - 1e-6) return tick * 1e-3;
   }
   return -1.0;
 }
 
 TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
   for (const double celsius : {25.0, 45.0}) {
-    const ForecastStart start = seen(warm(celsius));
+    const ForecastStart start = measured(warm(celsius));
     for (const double current : {6.0, 8.0, 10.0, 12.0, 15.0}) {
-      const auto foretold = kNominal.seconds_to_derating(start, constant({0, current, 0}));
-      ASSERT_TRUE(foretold.has_value());
+      const auto forecast_s = kNominal.seconds_to_derating(start, constant({0, current, 0}));
+      ASSERT_TRUE(forecast_s.has_value());
       const double real = loop_seconds_to_derating(start, {0, current, 0});
-      EXPECT_NEAR(*foretold, real, 0.05 * real) << current << " A from " << celsius << " C";
+      EXPECT_NEAR(*forecast_s, real, 0.05 * real) << current << " A from " << celsius << " C";
     }
   }
 }
 
-TEST(Forecast, AgreesWithThePlantWhereItTakesLong) {
-  const ForecastStart start = seen(cold());
+TEST(Forecast, AgreesWithThePlantOverLongTimes) {
+  const ForecastStart start = measured(cold());
   const double edge = kNominal.sustainable_a(start, constant({0, 0, 1}));
   for (const double current : {1.03 * edge, 1.1 * edge}) {
-    const auto foretold = kNominal.seconds_to_derating(start, constant({0, 0, current}));
-    ASSERT_TRUE(foretold.has_value());
-    EXPECT_GT(*foretold, 300.0);
+    const auto forecast_s = kNominal.seconds_to_derating(start, constant({0, 0, current}));
+    ASSERT_TRUE(forecast_s.has_value());
+    EXPECT_GT(*forecast_s, 300.0);
     const double real = loop_seconds_to_derating(start, {0, 0, current});
-    EXPECT_NEAR(*foretold, real, 0.05 * real) << current << " A";
+    EXPECT_NEAR(*forecast_s, real, 0.05 * real) << current << " A";
   }
 }
 
-TEST(Forecast, AllAnswersAtOnceAreThoseAskedOneByOne) {
+TEST(Forecast, AllFiguresAtOnceEqualThoseComputedSeparately) {
   for (const double current : {2.4, 5.0, 5.6, 9.0, 15.0}) {
     ForecastStart start = warm(62.0);
     start.nodes.winding_c = {61.0, 64.0, 62.0};
@@ -83,9 +83,9 @@ TEST(Forecast, AllAnswersAtOnceAreThoseAskedOneByOne) {
     EXPECT_GT(*worst.recovery_s, 0.0);
     std::optional<double> first;
     for (const Vec3& along : {Vec3{current, 0, 0}, Vec3{0, current, 0}, Vec3{0, 0, current}}) {
-      const RequestedCurrents asked = constant(along);
-      const Forecast one = kNominal.forecast(start, asked);
-      EXPECT_EQ(one.seconds_to_derating, kNominal.seconds_to_derating(start, asked));
+      const RequestedCurrents requested = constant(along);
+      const Forecast one = kNominal.forecast(start, requested);
+      EXPECT_EQ(one.seconds_to_derating, kNominal.seconds_to_derating(start, requested));
       EXPECT_EQ(one.recovery_s, worst.recovery_s);
       EXPECT_LE(one.seconds_to_derating.value_or(1e9), one.seconds_to_limit.value_or(1e9));
       if (one.seconds_to_derating) first = std::min(first.value_or(1e9), *one.seconds_to_derating);
@@ -94,7 +94,7 @@ TEST(Forecast, AllAnswersAtOnceAreThoseAskedOneByOne) {
   }
 }
 
-RC_GTEST_PROP(Forecast, NeverIsNeverWhetherItIsRunAheadOrNot, ()) {
+RC_GTEST_PROP(Forecast, SecondsToDeratingAreThoseOfTheFullForecast, ()) {
   const auto within = [](const char* what, int low, int high) {
     return 0.1 * *rc::gen::inRange(10 * low, 10 * high).as(what);
   };
@@ -107,9 +107,9 @@ RC_GTEST_PROP(Forecast, NeverIsNeverWhetherItIsRunAheadOrNot, ()) {
       *rc::gen::arbitrary<bool>() ? within("skin", 0, 5) : -std::numeric_limits<double>::infinity();
   start.fan_works = *rc::gen::arbitrary<bool>();
   start.mean_current_a = within("mean", 0, 10);
-  const auto asked = constant({within("x", -6, 6), within("y", -6, 6), within("z", -3, 3)});
-  const Forecast run_ahead = kNominal.forecast(start, asked);
-  RC_ASSERT(kNominal.seconds_to_derating(start, asked) == run_ahead.seconds_to_derating);
+  const auto requested = constant({within("x", -6, 6), within("y", -6, 6), within("z", -3, 3)});
+  const Forecast run_ahead = kNominal.forecast(start, requested);
+  RC_ASSERT(kNominal.seconds_to_derating(start, requested) == run_ahead.seconds_to_derating);
 }
 
 TEST(Forecast, SecondsToLimitAreThoseOfTheUnlimitedPlant) {
@@ -130,23 +130,23 @@ TEST(Forecast, SecondsToLimitAreThoseOfTheUnlimitedPlant) {
   EXPECT_NEAR(*at15.seconds_to_derating, 22.0, 1.0);
 }
 
-TEST(Forecast, FiveAmpereFlowForEver) {
-  for (const Vec3& wanted : {Vec3{5, 0, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{3, 4, 0}}) {
-    const Forecast f = kNominal.forecast(cold(), constant(wanted));
+TEST(Forecast, FiveAmpereAreAllowedForEver) {
+  for (const Vec3& current : {Vec3{5, 0, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{3, 4, 0}}) {
+    const Forecast f = kNominal.forecast(cold(), constant(current));
     EXPECT_FALSE(f.seconds_to_derating.has_value());
     EXPECT_FALSE(f.seconds_to_limit.has_value());
     EXPECT_GT(f.sustainable_a, 5.0);
   }
 }
 
-TEST(Forecast, TheIndicatorsPulsesFlowForEver) {
+TEST(Forecast, TheIndicatorsPulsesAreAllowedForEver) {
   const RequestedCurrents pulses{{0, 0, 12.0 * std::sqrt(0.15)}, 12.0};
   const Forecast f = kNominal.forecast(cold(), pulses);
   EXPECT_FALSE(f.seconds_to_derating.has_value());
   EXPECT_GT(f.sustainable_a, 12.0);
 }
 
-TEST(Forecast, SustainableIsTheEdge) {
+TEST(Forecast, SustainableIsTheBoundary) {
   const Vec3 directions[] = {{1, 0, 0}, {0.6, 0.8, 0}, {0.577, 0.577, -0.577}};
   for (const Vec3& direction : directions) {
     const Vec3 u = unit_or(direction, {1, 0, 0});
@@ -169,18 +169,18 @@ TEST(Forecast, RecoveryIsWhatTheLimiterThenAllows) {
   start.above_k = loop.observer.estimate().hottest_c - hottest_winding(start.nodes);
   start.fan_running = true;
   start.mean_current_a = 10.0;
-  const auto foretold = kNominal.recovery_s(start);
-  ASSERT_TRUE(foretold.has_value());
+  const auto forecast_s = kNominal.recovery_s(start);
+  ASSERT_TRUE(forecast_s.has_value());
   double real = 0.0;
   while (loop.limiter.allowed().value < 15.0 && real < 600.0) {
     loop.tick({});
     real += 1e-3;
   }
-  EXPECT_NEAR(*foretold, real, 0.1 * real);
+  EXPECT_NEAR(*forecast_s, real, 0.1 * real);
   EXPECT_EQ(kNominal.recovery_s(cold()), 0.0);
-  ForecastStart desert = warm(65.0);
-  desert.ambient_c = 62.0;
-  EXPECT_FALSE(kNominal.recovery_s(desert).has_value());
+  ForecastStart hot_ambient = warm(65.0);
+  hot_ambient.ambient_c = 62.0;
+  EXPECT_FALSE(kNominal.recovery_s(hot_ambient).has_value());
 }
 
 TEST(Forecast, BurstIsThatOfTheWorstCoil) {
@@ -204,14 +204,14 @@ TEST(Forecast, ADeadFanShortensEverything) {
   EXPECT_LT(kNominal.forecast_worst_coil(dead, 5.0).sustainable_a, 4.0);
 }
 
-TEST(Forecast, NothingAskedIsNeverReduced) {
+TEST(Forecast, ZeroIsNeverReduced) {
   const Forecast f = kNominal.forecast(cold(), RequestedCurrents{});
   EXPECT_FALSE(f.seconds_to_derating.has_value());
   EXPECT_FALSE(f.seconds_to_limit.has_value());
   EXPECT_GT(f.sustainable_a, 5.0);
 }
 
-RC_GTEST_PROP(Forecast, MoreCurrentOrAWarmerBallIsNeverForetoldLonger, ()) {
+RC_GTEST_PROP(Forecast, MoreCurrentOrAWarmerBallIsNeverForecastLonger, ()) {
   const auto between = [](double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, 100'001) * 1e-5;
   };
@@ -233,8 +233,8 @@ ForecastStart with_skin(ForecastStart start) {
 }
 
 /// Seconds until the plant's estimated skin first limits the current; -1: not within an hour.
-double plant_seconds_to_skin(double ambient_c, const Vec3& wanted) {
-  const double current_a = norm(wanted);
+double plant_seconds_to_skin(double ambient_c, const Vec3& current) {
+  const double current_a = norm(current);
   Plant plant(PlantParameters{}, ambient_c);
   SkinEstimate skin{ThermalModel{}};
   constexpr double kStepS = 0.02;
@@ -246,29 +246,29 @@ double plant_seconds_to_skin(double ambient_c, const Vec3& wanted) {
     skin.step(in, kStepS);
     if (shell_allowed_current(Limits{}, skin.celsius()).value < current_a - 1e-6)
       return step * kStepS;
-    plant.step_thermal({wanted.x * wanted.x, wanted.y * wanted.y, wanted.z * wanted.z}, 1.0,
+    plant.step_thermal({current.x * current.x, current.y * current.y, current.z * current.z}, 1.0,
                        kStepS);
   }
   return -1.0;
 }
 
-TEST(Forecast, KnowsTheSkinWithin5Percent) {
+TEST(Forecast, ForecastsTheSkinWithin5Percent) {
   for (const double ambient_c : {25.0, 32.0}) {
     ForecastStart start = warm(ambient_c);
     start.ambient_c = ambient_c;
     start = with_skin(start);
     for (const double current_a : {6.0, 9.0, 15.0}) {
       const double each_a = current_a / std::sqrt(3.0);
-      const Vec3 wanted{each_a, -each_a, each_a};
-      const auto foretold = kNominal.seconds_to_derating(start, constant(wanted));
-      ASSERT_TRUE(foretold.has_value());
-      const double real = plant_seconds_to_skin(ambient_c, wanted);
-      EXPECT_NEAR(*foretold, real, 0.05 * real) << current_a << " A at " << ambient_c << " C";
+      const Vec3 current{each_a, -each_a, each_a};
+      const auto forecast_s = kNominal.seconds_to_derating(start, constant(current));
+      ASSERT_TRUE(forecast_s.has_value());
+      const double real = plant_seconds_to_skin(ambient_c, current);
+      EXPECT_NEAR(*forecast_s, real, 0.05 * real) << current_a << " A at " << ambient_c << " C";
     }
   }
 }
 
-TEST(Forecast, TheSkinLeavesFiveAmpereForEverOnlyInACoolRoom) {
+TEST(Forecast, TheSkinAllowsFiveAmpereForEverOnlyInACoolAmbient) {
   const auto sustained = [](double ambient_c, double above_k) {
     ForecastStart start = with_skin(warm(ambient_c));
     start.ambient_c = ambient_c;

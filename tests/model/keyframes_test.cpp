@@ -26,7 +26,7 @@ const Vec3 kFront{1, 0, 0};
 const Vec3 kLeft{0, 1, 0};
 const Vec3 kUp{0, 0, 1};
 
-TEST(Keyframes, LevelsGoEvenlyFromOneToTheNext) {
+TEST(Keyframes, LevelsAreInterpolatedLinearly) {
   const std::vector<Keyframe> frames{frame(0, 0), frame(40, 0.5), frame(120, 0)};
   EXPECT_DOUBLE_EQ(level_at(frames, 0), 0.0);
   EXPECT_DOUBLE_EQ(level_at(frames, 20), 0.25);
@@ -35,7 +35,7 @@ TEST(Keyframes, LevelsGoEvenlyFromOneToTheNext) {
   EXPECT_NEAR(level_at(frames, 119.5), 0.5 / 160, 1e-12);
 }
 
-TEST(Keyframes, AStepStaysUntilTheNextOneComes) {
+TEST(Keyframes, AStepHoldsUntilTheNextOne) {
   const std::vector<Keyframe> frames{frame(0, 1, kFront, Ease::kStep), frame(60, 0, kLeft)};
   EXPECT_DOUBLE_EQ(level_at(frames, 59.9), 1.0);
   EXPECT_EQ(point_at(frames, 59.9).direction, kFront);
@@ -64,7 +64,7 @@ TEST(Keyframes, OfSeveralAtOneTimeTheLastCounts) {
   EXPECT_NEAR(level_at(frames, 50), 0.9, 1e-6);
 }
 
-TEST(Keyframes, DirectionsGoAlongTheGreatCircle) {
+TEST(Keyframes, DirectionsFollowTheGreatCircle) {
   const std::vector<Keyframe> frames{frame(0, 1, kFront), frame(90, 1, kLeft)};
   for (int at = 0; at <= 90; ++at) {
     const Vec3 d = point_at(frames, at).direction;
@@ -74,7 +74,7 @@ TEST(Keyframes, DirectionsGoAlongTheGreatCircle) {
   }
 }
 
-TEST(Keyframes, OppositeDirectionsGoOverTheTopAndUpToDownOverTheFront) {
+TEST(Keyframes, OppositeDirectionsPassOverTheTopAndUpToDownOverTheFront) {
   EXPECT_NEAR(
       dot(point_at(std::vector{frame(0, 1, kFront), frame(2, 1, -kFront)}, 1).direction, kUp), 1.0,
       1e-9);
@@ -82,7 +82,7 @@ TEST(Keyframes, OppositeDirectionsGoOverTheTopAndUpToDownOverTheFront) {
               1.0, 1e-9);
 }
 
-TEST(Keyframes, TheTurnTakesFrontThereByTheShortestWay) {
+TEST(Keyframes, TheTurnRotatesFrontByTheShortestWay) {
   EXPECT_NEAR(norm(rotate(turn_from_front(kLeft), kFront) - kLeft), 0, 1e-12);
   EXPECT_NEAR(norm(rotate(turn_from_front(kLeft), kUp) - kUp), 0, 1e-12);
   EXPECT_NEAR(norm(rotate(turn_from_front(kUp), kLeft) - kLeft), 0, 1e-12);
@@ -141,7 +141,7 @@ TEST(Keyframes, ALoopBeginsAgainWhereItEnds) {
   EXPECT_NEAR(phase.steps, 50, 1e-6);
 }
 
-TEST(Keyframes, TheEndComesWithTheLengthOverTheRate) {
+TEST(Keyframes, TheEndIsTheLengthDividedByTheRate) {
   EXPECT_EQ(ticks_to_end(play(1, false).trajectory.playback, 0), 100);
   EXPECT_EQ(ticks_to_end(play(2, false).trajectory.playback, 50), 25);
   EXPECT_EQ(ticks_to_end(play(3, false).trajectory.playback, 0), 34);

@@ -42,9 +42,9 @@ View view_of(const Goldberg& gp, const Goldberg::Face& face) {
   return view;
 }
 
-void expect_near(const std::vector<double>& got, const std::vector<double>& wanted) {
-  ASSERT_EQ(got.size(), wanted.size());
-  for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], wanted[i], 1e-3);
+void expect_near(const std::vector<double>& got, const std::vector<double>& expected) {
+  ASSERT_EQ(got.size(), expected.size());
+  for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], expected[i], 1e-3);
 }
 
 TEST(Goldberg, TkdHas92FacesAnd180Vertices) {
@@ -154,7 +154,7 @@ TEST(PinArray, NumbersOfTheSixSides) {
   EXPECT_EQ(nearest_pin(array, {0, 0, -1}).id, 76);
 }
 
-TEST(PinArray, FindKnowsItsPinsOnly) {
+TEST(PinArray, FindReturnsItsPinsOnly) {
   const PinArray& array = thesis_ball().array;
   EXPECT_EQ(array.find(-1), nullptr);
   EXPECT_EQ(array.find(86), nullptr);
@@ -173,12 +173,12 @@ RC_GTEST_PROP(PinArray, AimingAtAPinFindsItAtAnyLength, ()) {
 }
 
 RC_GTEST_PROP(PinArray, NoOtherPinIsNearer, (int x, int y, int z)) {
-  const Vec3 wanted{double(x), double(y), double(z)};
-  RC_PRE(norm(wanted) > 0.0);
+  const Vec3 expected{double(x), double(y), double(z)};
+  RC_PRE(norm(expected) > 0.0);
   const PinArray& array = thesis_ball().array;
-  const NearestPin found = nearest_pin(array, wanted);
+  const NearestPin found = nearest_pin(array, expected);
   for (const Pin& pin : array.pins)
-    RC_ASSERT(dot(pin.position, wanted) / norm(wanted) <= found.cosine + 1e-6);
+    RC_ASSERT(dot(pin.position, expected) / norm(expected) <= found.cosine + 1e-6);
 }
 
 // Thesis section 3.2: 10 pins per second are about 20 cm/s.

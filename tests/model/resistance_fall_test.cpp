@@ -66,7 +66,7 @@ TEST(ResistanceFall, StaysCertainHoweverLongNothingIsMeasured) {
   EXPECT_TRUE(fall.certain());
 }
 
-TEST(ResistanceFall, IsSetAsideAtARestAndClearedByTheResistanceOfBefore) {
+TEST(ResistanceFall, IsSuspendedAtARestAndClearedByTheEarlierResistance) {
   ResistanceFall fall = fallen();
   fall.rest();
   EXPECT_FALSE(fall.certain()) << "the next current shows its resistance at a known temperature";
@@ -102,7 +102,7 @@ TEST(ResistanceFall, IsComparedWithTheResistanceBeforeItHoweverOftenTheWindingRe
   EXPECT_FALSE(fall.certain());
 }
 
-TEST(ResistanceFall, AnUncertainOneIsNotForgottenByARestEither) {
+TEST(ResistanceFall, AnUncertainOneIsNotClearedByARestEither) {
   ResistanceFall fall = fallen(-1.0);
   ASSERT_FALSE(fall.certain());
   fall.rest();
@@ -136,7 +136,7 @@ TEST(ResistanceFall, IsNotClearedByACurrentWhoseOffsetCouldHideIt) {
   EXPECT_FALSE(fall.certain());
 }
 
-TEST(ResistanceFall, WhatHasDecayedIsNotSetAsideAgain) {
+TEST(ResistanceFall, ADecayedOneIsNotSuspendedAgain) {
   ResistanceFall fall = fallen();
   fall.rest();
   fall.resume();
@@ -165,7 +165,7 @@ TEST(ResistanceFall, IsNotClearedByTheFileWhenAnOffsetCouldHideIt) {
   EXPECT_TRUE(fall.certain()) << "0.1 A make 5 %";
 }
 
-TEST(ResistanceFall, OneThatBeganAtARestIsNotItsOwnMeasure) {
+TEST(ResistanceFall, OneThatBeganAtARestIsNotItsOwnReference) {
   ResistanceFall fall(kFileOhm, kFileDeviation);
   fall.rest();
   fall.compare(shares_of_the_first(1.0), kOffsetA);

@@ -35,7 +35,7 @@ rc::Gen<double> between(double low, double high) {
       [=](int share) { return low + (high - low) * share / 100'000.0; });
 }
 
-RC_GTEST_PROP(ComingCore, IsTheWarmestThatTheCoreGetsWithoutCurrent, ()) {
+RC_GTEST_PROP(CoreForecast, IsTheWarmestThatTheCoreGetsWithoutCurrent, ()) {
   const double ambient_c = *between(10.0, 35.0);
   const double core_c = ambient_c + *between(0.0, 35.0);
   ThermalState heat;
@@ -59,7 +59,7 @@ RC_GTEST_PROP(ComingCore, IsTheWarmestThatTheCoreGetsWithoutCurrent, ()) {
   RC_ASSERT(std::abs(forecast_c - warmest_c) < 0.05);
 }
 
-TEST(ComingCore, OfABallAtRestIsItsCore) {
+TEST(CoreForecast, OfABallAtRestIsItsCore) {
   EXPECT_EQ(forecast_core_c({}, {}, 25.0, 1.8), 25.0);
   EXPECT_EQ(forecast_core_c({}, {{40, 40, 40}, 40.0}, 25.0, 1.8), 40.0);
   EXPECT_EQ(forecast_core_c({}, {{40, 40, 40}, 40.0}, 45.0, 1.8), 40.0) << "colder than its room";
@@ -82,7 +82,7 @@ RC_GTEST_PROP(SkinEstimate, IsNeverBelowTheSkinOfAPlantThatMatches, ()) {
   }
 }
 
-TEST(SkinEstimate, OfAColdBallIsTheRoomAndTheLeastMargin) {
+TEST(SkinEstimate, OfAColdBallIsTheAmbientAndTheMinimumMargin) {
   SkinEstimate skin{ThermalModel{}};
   EXPECT_EQ(skin.celsius(), std::numeric_limits<double>::infinity()) << "nothing is known yet";
   skin.step({}, 1e-3);
@@ -98,7 +98,7 @@ TEST(SkinEstimate, StartsAsWarmAsTheCoreMakesIt) {
   EXPECT_NEAR(skin.following_c(), 25.0 + 0.7 * 25.0, 1e-9);
 }
 
-TEST(SkinEstimate, StandsHigherWhereLessIsKnownWithinReason) {
+TEST(SkinEstimate, IsHigherForALessCertainEstimateWithinLimits) {
   SkinInputs in;
   for (const auto& [deviation_k, margin_k] :
        {std::pair{0.3, 1.3}, {2.0, 1.6}, {3.0, 2.4}, {20.0, 3.0}}) {
@@ -110,7 +110,7 @@ TEST(SkinEstimate, StandsHigherWhereLessIsKnownWithinReason) {
   }
 }
 
-TEST(SkinEstimate, WithANumberThatIsNoneAllowsNothing) {
+TEST(SkinEstimate, WithAnInvalidNumberAllowsNothing) {
   for (const double none : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     SkinEstimate skin{ThermalModel{}};
     SkinInputs in;
@@ -136,7 +136,7 @@ TEST(SkinEstimate, GivesTheSameBitsAgain) {
 
 // With the observer's estimate of a ball that differs from its device file.
 TEST(SkinEstimate, IsNotBelowTheSkinOfBallsThatDifferByAFifth) {
-  double under_k = -10.0;
+  double below_skin_k = -10.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const PlantParameters real = random_plant(seed);
     ThermalLoop loop(real, 18.0 + static_cast<double>(seed), device_file_of(real));
@@ -145,13 +145,13 @@ TEST(SkinEstimate, IsNotBelowTheSkinOfBallsThatDifferByAFifth) {
       loop.coarse_tick(i % 20'000 < 15'000 ? Vec3{5, 3, -4} : Vec3{});
       skin.step(SkinInputs::of({}, loop.observer.filter(), loop.plant.fan_rpm() > 300.0),
                 ThermalLoop::kCoarseS);
-      under_k = std::max(under_k, loop.plant.skin_c() - skin.celsius());
+      below_skin_k = std::max(below_skin_k, loop.plant.skin_c() - skin.celsius());
     }
   }
-  EXPECT_LT(under_k, 0.0);
+  EXPECT_LT(below_skin_k, 0.0);
 }
 
-TEST(ShellLimit, FallsFromEverythingToNothing) {
+TEST(ShellLimit, FallsFromFullToZero) {
   const Limits limits;
   EXPECT_EQ(shell_allowed_current(limits, 20.0).value, 15.0);
   EXPECT_EQ(shell_allowed_current(limits, 38.0).value, 15.0);

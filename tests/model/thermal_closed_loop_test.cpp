@@ -54,18 +54,18 @@ INSTANTIATE_TEST_SUITE_P(Axes, FiveAmpere,
                                          Vec3{-5, 0, 0}, Vec3{3, 0, -4}),
                          axis_name);
 
-TEST(HeatLoop, FifteenAmpereAreFullFor22SecondsThenGiveWay) {
+TEST(HeatLoop, FifteenAmpereAreFullFor22SecondsThenReduced) {
   for (int coil = 0; coil < kCoils; ++coil) {
     ThermalLoop loop(PlantParameters{}, 25.0);
     double full_s = 0.0;
-    double after_half_a_minute = 0.0;
+    double after_32_s = 0.0;
     for (int tick = 1; tick <= 300'000; ++tick) {
       loop.tick(along(coil, 15.0));
       if (norm(loop.driven) > 15.0 - 1e-9) full_s = tick * 1e-3;
-      if (tick == 32'000) after_half_a_minute = norm(loop.driven);
+      if (tick == 32'000) after_32_s = norm(loop.driven);
     }
     EXPECT_NEAR(full_s, 22.0, 1.0);
-    EXPECT_NEAR(after_half_a_minute, 8.5, 0.5) << "one thermistor costs half a kelvin";
+    EXPECT_NEAR(after_32_s, 8.5, 0.5) << "one thermistor costs half a kelvin";
     EXPECT_GT(norm(loop.driven), 5.0) << "reduced, never cut";
     EXPECT_LT(loop.hottest_ever_c, 67.0);
     EXPECT_EQ(loop.longest_above_trip_s, 0.0);
@@ -73,9 +73,9 @@ TEST(HeatLoop, FifteenAmpereAreFullFor22SecondsThenGiveWay) {
 }
 
 TEST(HeatLoop, SensorNoiseDipsTheLimitByLessThanTwoAmpere) {
-  PlantParameters noisy;
-  noisy.sensor_noise_k = 0.15;
-  ThermalLoop with(noisy, 32.0);
+  PlantParameters noisy_plant;
+  noisy_plant.sensor_noise_k = 0.15;
+  ThermalLoop with(noisy_plant, 32.0);
   ThermalLoop without(PlantParameters{}, 32.0);
   with.fan_works = without.fan_works = false;  // the only way to stay above 67 C
   double deepest_a = 0.0;
@@ -156,24 +156,24 @@ TEST(HeatLoop, TheSameAtOneMillisecond) {
   }
 }
 
-/// The reading of a thermistor with this fault while its true temperature is `real_c`.
-double lie(int fault, double t_s, double real_c, double first_c) {
+/// The reading of a thermistor with this fault while its true temperature is `true_c`.
+double faulty_reading(int fault, double t_s, double true_c, double first_c) {
   switch (fault) {
     case 0:
       return first_c;  // frozen from the start
     case 1:
-      return std::max(10.0, real_c - 0.5 * std::max(0.0, t_s - 60.0));  // detaching
+      return std::max(10.0, true_c - 0.5 * std::max(0.0, t_s - 60.0));  // detaching
     case 2:
-      return t_s > 15.0 ? real_c - 30.0 : real_c;  // jumps down
+      return t_s > 15.0 ? true_c - 30.0 : true_c;  // jumps down
     case 3:
-      return std::fmod(t_s, 2.0) < 1.0 ? real_c : real_c - 40.0;  // a loose contact
+      return std::fmod(t_s, 2.0) < 1.0 ? true_c : true_c - 40.0;  // a loose contact
     default:
       return 20.0;
   }
 }
 
 // Without the watchdog, which would have cut the current after half a second.
-TEST(HeatLoop, AThermistorThatLiesLowDoesNotBurnAWindingThoughR25IsOffByOnePercent) {
+TEST(HeatLoop, AThermistorThatReadsLowDoesNotBurnAWindingThoughR25IsOffByOnePercent) {
   for (int fault = 0; fault < 5; ++fault) {
     for (std::uint64_t seed = 1; seed <= repetitions(12U); ++seed) {
       const PlantParameters real = random_plant(100 * seed + static_cast<std::uint64_t>(fault));
@@ -185,7 +185,7 @@ TEST(HeatLoop, AThermistorThatLiesLowDoesNotBurnAWindingThoughR25IsOffByOnePerce
       for (int step = 0; step < kCoarsePerHour / 2; ++step) {
         const double t_s = step * 20e-3;
         loop.coarse_tick(demand.at(t_s, loop.observer.estimate().hottest_c),
-                         lie(fault, t_s, loop.plant.sensor_c(), first_c));
+                         faulty_reading(fault, t_s, loop.plant.sensor_c(), first_c));
       }
       EXPECT_LT(loop.hottest_ever_c, kWorstWithSensorFaultC) << "fault " << fault << " " << seed;
       EXPECT_GT(loop.hottest_ever_c, 55.0);

@@ -18,7 +18,7 @@
 namespace hedgehog::model {
 namespace {
 
-constexpr double kRoomC = 20.0;
+constexpr double kAmbientC = 20.0;
 constexpr double kRoundingK = 1e-9;
 
 /// Uniform over the orders of magnitude from `min` to `max`.
@@ -69,24 +69,24 @@ void expect_settles(ThermalState nodes, int steps, Step step) {
   for (int i = 0; i < steps; ++i) {
     const ThermalState next = step(nodes);
     RC_ASSERT(hottest_node(next) <= hottest_node(nodes) + kRoundingK);
-    RC_ASSERT(coolest_node(next) >= kRoomC - kRoundingK);
+    RC_ASSERT(coolest_node(next) >= kAmbientC - kRoundingK);
     nodes = next;
   }
 }
 
-TEST(Decay, CoolsAndNeverBelowTheRoom) {
+TEST(Decay, CoolsAndNeverBelowTheAmbient) {
   const ThermalModel ball;
   const ThermalState hot{{50.0, 60.0, 55.0}, 45.0};
-  const auto soon = decayed(ball, hot, 25.0, 10.0);
-  EXPECT_LT(soon.winding_c[1], 60.0);
-  EXPECT_GT(soon.winding_c[1], 55.0);
+  const auto after_10_s = decayed(ball, hot, 25.0, 10.0);
+  EXPECT_LT(after_10_s.winding_c[1], 60.0);
+  EXPECT_GT(after_10_s.winding_c[1], 55.0);
   EXPECT_NEAR(decayed(ball, hot, 25.0, 3600.0 * 24).winding_c[1], 25.0, 1e-6);
   EXPECT_NEAR(decayed(ball, hot, 25.0, 1e12).core_c, 25.0, 1e-6);
   EXPECT_EQ(decayed(ball, hot, 25.0, -5.0).winding_c, hot.winding_c);
   EXPECT_EQ(decayed(ball, hot, 25.0, 0.0).core_c, hot.core_c);
 }
 
-TEST(Decay, IsWhatSmallStepsComeTo) {
+TEST(Decay, IsTheLimitOfSmallSteps) {
   const ThermalModel ball;
   const ThermalState hot{{50.0, 60.0, 55.0}, 45.0};
   ThermalState stepped = hot;
@@ -100,13 +100,14 @@ TEST(Decay, IsWhatSmallStepsComeTo) {
   EXPECT_NEAR(exact.core_c, stepped.core_c, 1e-3);
 }
 
-RC_GTEST_PROP(Decay, InTwoPartsIsInOne, ()) {
+RC_GTEST_PROP(Decay, IsTheSameInTwoPartsAsInOne, ()) {
   const ThermalModel model = any_model();
   const ThermalState nodes = any_nodes();
   const double first_s = draw(0.001, 10'000);
   const double second_s = draw(0.001, 10'000);
-  const ThermalState one = decayed(model, nodes, kRoomC, first_s + second_s);
-  const ThermalState two = decayed(model, decayed(model, nodes, kRoomC, first_s), kRoomC, second_s);
+  const ThermalState one = decayed(model, nodes, kAmbientC, first_s + second_s);
+  const ThermalState two =
+      decayed(model, decayed(model, nodes, kAmbientC, first_s), kAmbientC, second_s);
   for (std::size_t i = 0; i < kCoils; ++i)
     RC_ASSERT(std::abs(one.winding_c[i] - two.winding_c[i]) < 1e-6);
   RC_ASSERT(std::abs(one.core_c - two.core_c) < 1e-6);
@@ -116,13 +117,13 @@ RC_GTEST_PROP(Decay, NeverWarmsTheHottestWhateverTheConstants, ()) {
   const ThermalModel model = any_model();
   const double dt_s = draw(0.001, 10'000);
   expect_settles(any_nodes(), 20,
-                 [&](const ThermalState& nodes) { return decayed(model, nodes, kRoomC, dt_s); });
+                 [&](const ThermalState& nodes) { return decayed(model, nodes, kAmbientC, dt_s); });
 }
 
 RC_GTEST_PROP(AcceptedConstants, TheFloorSettles, ()) {
   const ThermalModel model = accepted_model();
   HeatLoad load;
-  load.ambient_c = kRoomC;
+  load.ambient_c = kAmbientC;
   load.fan_running = *rc::gen::arbitrary<bool>();
   expect_settles(any_nodes(), 1000, [&](const ThermalState& nodes) {
     return advanced(nodes, heating_rates(model, nodes, load), 0.1);
@@ -132,7 +133,7 @@ RC_GTEST_PROP(AcceptedConstants, TheFloorSettles, ()) {
 RC_GTEST_PROP(AcceptedConstants, TheFilterSettles, ()) {
   FilterStart start;
   start.nodes = any_nodes();
-  start.ambient_c = kRoomC;
+  start.ambient_c = kAmbientC;
   ThermalFilter filter(CoilModel{}, accepted_model(), {}, start);
   const bool fan = *rc::gen::arbitrary<bool>();
   expect_settles(start.nodes, 300, [&](const ThermalState&) {
@@ -144,7 +145,7 @@ RC_GTEST_PROP(AcceptedConstants, TheFilterSettles, ()) {
 }
 
 RC_GTEST_PROP(AcceptedConstants, ThePlantSettlesEvenWhenItIsTenTimesAsLight, ()) {
-  Plant plant(PlantParameters::of(CoilModel{}, accepted_model()), kRoomC);
+  Plant plant(PlantParameters::of(CoilModel{}, accepted_model()), kAmbientC);
   PlantErrors errors;
   errors.heat_capacity_gain = 0.1;
   errors.cooling_gain = 10.0;

@@ -59,7 +59,7 @@ TEST(ThermalFilter, FollowsAMatchingBallWithinHalfAKelvin) {
   EXPECT_LT(ball.filter.winding_deviation_k(0), 1.0);
 }
 
-TEST(ThermalFilter, LearnsAResistanceThatIsNotTheFiles) {
+TEST(ThermalFilter, EstimatesAResistanceThatDiffersFromTheFile) {
   PlantParameters real;
   real.r25_ohm[0] *= 1.04;
   FollowedBall ball(real);
@@ -91,7 +91,7 @@ TEST(ThermalFilter, AnIdleCurrentIsItsOffset) {
   EXPECT_EQ(filter.current_offset_a(2), 0.0) << "another board";
 }
 
-TEST(ThermalFilter, WithoutMeasurementsItIsLessAndLessCertain) {
+TEST(ThermalFilter, WithoutMeasurementsItsUncertaintyGrows) {
   ThermalFilter filter = filter_at(25.0);
   double before_k = filter.winding_deviation_k(1);
   for (int minute = 0; minute < 10; ++minute) {
@@ -102,7 +102,7 @@ TEST(ThermalFilter, WithoutMeasurementsItIsLessAndLessCertain) {
   EXPECT_GT(before_k, 1.0) << "20 % of capacities and conductances are kelvins";
 }
 
-TEST(ThermalFilter, WellKnownConstantsLeaveLessOpen) {
+TEST(ThermalFilter, WellKnownConstantsReduceTheUncertainty) {
   ThermalUncertainty calibrated;
   calibrated.thermal = 0.05;
   ThermalFilter vague = filter_at(25.0);
@@ -114,7 +114,7 @@ TEST(ThermalFilter, WellKnownConstantsLeaveLessOpen) {
   EXPECT_LT(exact.winding_deviation_k(1), 0.5 * vague.winding_deviation_k(1));
 }
 
-RC_GTEST_PROP(ThermalFilter, StaysFiniteAndCertainOfSomethingWhateverIsMeasured, ()) {
+RC_GTEST_PROP(ThermalFilter, StaysFiniteWithBoundedUncertaintyForAnyMeasurement, ()) {
   ThermalFilter filter = filter_at(25.0);
   const auto number = [](double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, 1'000'001) * 1e-6;

@@ -28,9 +28,9 @@ ThermalEstimate at(double hottest_c) {
   return estimate;
 }
 
-Vec3 limited(const Vec3& wanted, const ThermalEstimate& estimate) {
+Vec3 limited(const Vec3& requested, const ThermalEstimate& estimate) {
   ThermalLimiter limiter{Limits{}};
-  return limiter.limit({wanted}, estimate).a();
+  return limiter.limit({requested}, estimate).a();
 }
 
 /// A number between `low` and `high`, from RapidCheck.
@@ -58,13 +58,13 @@ TEST(ThermalLaw, IsTheOneOfTheDesign) {
   EXPECT_EQ(allowed(1e6), 0.0);
 }
 
-TEST(ThermalLaw, WhatIsNotANumberAllowsNothing) {
+TEST(ThermalLaw, NanAllowsNothing) {
   EXPECT_EQ(allowed(kNan), 0.0);
   EXPECT_EQ(allowed(kInfinity), 0.0);
   EXPECT_EQ(allowed(-kInfinity), 0.0);
 }
 
-TEST(ThermalLaw, WhoseStretchesAreEmptyStepsDown) {
+TEST(ThermalLaw, WithEmptyRangesStepsDown) {
   Limits step;
   step.derate_from_c = step.sustain_c = step.zero_c = 60.0;
   EXPECT_EQ(allowed_current(step, Celsius(59.999)).value, 15.0);
@@ -97,19 +97,19 @@ RC_GTEST_PROP(ThermalLaw, ItsInverseIsWhereTheForecastStops, ()) {
 RC_GTEST_PROP(ThermalLimiter, ScalesTheVectorAsAWholeToWhatIsAllowed, ()) {
   const Limits limits = any_limits();
   ThermalLimiter limiter(limits);
-  const Vec3 wanted{any_number(-40, 40), any_number(-40, 40), any_number(-40, 40)};
+  const Vec3 requested{any_number(-40, 40), any_number(-40, 40), any_number(-40, 40)};
   const double hottest = any_number(20.0, 75.0);
-  const Vec3 got = limiter.limit({wanted}, at(hottest)).a();
-  const double most = allowed_current(limits, Celsius(hottest)).value;
-  RC_ASSERT(limiter.allowed().value == most);
-  RC_ASSERT(norm(got) <= most * (1.0 + 1e-12));
-  RC_ASSERT(norm(got) <= norm(wanted) * (1.0 + 1e-12));
-  RC_ASSERT(norm(cross(got, wanted)) <= 1e-9 * (1.0 + norm(got) * norm(wanted)));
-  RC_ASSERT(dot(got, wanted) >= 0.0);
-  if (norm(wanted) <= most) RC_ASSERT(got == wanted);
+  const Vec3 got = limiter.limit({requested}, at(hottest)).a();
+  const double max_a = allowed_current(limits, Celsius(hottest)).value;
+  RC_ASSERT(limiter.allowed().value == max_a);
+  RC_ASSERT(norm(got) <= max_a * (1.0 + 1e-12));
+  RC_ASSERT(norm(got) <= norm(requested) * (1.0 + 1e-12));
+  RC_ASSERT(norm(cross(got, requested)) <= 1e-9 * (1.0 + norm(got) * norm(requested)));
+  RC_ASSERT(dot(got, requested) >= 0.0);
+  if (norm(requested) <= max_a) RC_ASSERT(got == requested);
 }
 
-TEST(ThermalLimiter, PassesWhatIsAllowedUntouched) {
+TEST(ThermalLimiter, PassesAllowedCurrentsUnchanged) {
   EXPECT_EQ(limited({3, -4, 12}, at(40.0)), (Vec3{3, -4, 12}));
   EXPECT_EQ(limited({0, 1, 0}, at(40.0)), (Vec3{0, 1, 0}));
   EXPECT_NEAR(norm(limited({30, 0, 40}, at(40.0))), 15.0, 1e-12);
@@ -123,7 +123,7 @@ TEST(ThermalLimiter, FollowsTheTemperatureWithinFiftyMilliseconds) {
   EXPECT_NEAR(limiter.allowed().value, allowed(filtered_c), 1e-9);
 }
 
-TEST(ThermalLimiter, AfterALongGapTakesTheTemperatureAsItIs) {
+TEST(ThermalLimiter, AfterALongGapUsesTheTemperatureUnfiltered) {
   ThermalLimiter limiter{Limits{}};
   limiter.limit({{15, 0, 0}}, at(30.0));
   limiter.limit({{15, 0, 0}}, at(68.0), 0.5);
@@ -147,13 +147,13 @@ TEST(ThermalLimiter, AllowsNoMoreThanItsCeiling) {
   EXPECT_EQ(hot.limit({{12, 0, 9}}, at(68.0)).a(), (2.5 * Vec3{0.8, 0, 0.6})) << "the law is less";
 }
 
-TEST(ThermalLimiter, AThousandAmpereIsStillAWish) {
+TEST(ThermalLimiter, AThousandAmpereIsStillAValidRequest) {
   ThermalLimiter limiter{Limits{}};
   EXPECT_EQ(limiter.limit({{1000, 0, 0}}, at(25.0)).a(), (Vec3{15, 0, 0}));
   EXPECT_FALSE(limiter.rejected());
 }
 
-TEST(ThermalLimiter, WhatIsNotFiniteOrAbsurdBecomesZeroAndIsSaid) {
+TEST(ThermalLimiter, NonFiniteAndImplausibleRequestsBecomeZeroAndAreReported) {
   ThermalLimiter limiter{Limits{}};
   for (const Vec3& bad : {Vec3{kNan, 0, 0}, Vec3{0, kInfinity, 0}, Vec3{0, 0, -kInfinity},
                           Vec3{1e300, 1e300, 0}, Vec3{1001, 0, 0}}) {

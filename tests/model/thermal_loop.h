@@ -32,27 +32,27 @@ class ThermalLoop {
   }
 
   /// One tick of 1 ms with real voltages and currents. `sensor_c`: the thermistor's reading.
-  void tick(const Vec3& wanted_a, double sensor_c, bool sensor_valid = true) {
+  void tick(const Vec3& requested_a, double sensor_c, bool sensor_valid = true) {
     const Vec3 before = plant.current_a();
-    driven = unlimited ? wanted_a : limiter.limit({wanted_a}, observer.estimate()).a();
+    driven = unlimited ? requested_a : limiter.limit({requested_a}, observer.estimate()).a();
     PlantInputs inputs;
     inputs.bridge.fill(BridgeState::kDriven);
     inputs.fan_duty = fan_duty();
     const double supply_v = plant.parameters().supply_v;
     for (int coil = 0; coil < kCoils; ++coil) {
-      const double wish =
+      const double demanded_v =
           observer.estimate().resistance_ohm[static_cast<std::size_t>(coil)] * driven[coil] +
           known_.inductance_h * (driven[coil] - before[coil]) / kTickSeconds;
-      inputs.voltage_v[coil] = std::clamp(wish, -supply_v, supply_v);
+      inputs.voltage_v[coil] = std::clamp(demanded_v, -supply_v, supply_v);
     }
     plant.step(inputs, kTickSeconds);
     observe(inputs.voltage_v, before, plant.current_a(), sensor_c, sensor_valid, kTickSeconds);
   }
-  void tick(const Vec3& wanted_a) { tick(wanted_a, plant.sensor_c()); }
+  void tick(const Vec3& requested_a) { tick(requested_a, plant.sensor_c()); }
 
   /// A step of 20 ms: currents settle at once, voltages are resistive.
-  void coarse_tick(const Vec3& wanted_a, double sensor_c, bool sensor_valid = true) {
-    driven = limiter.limit({wanted_a}, observer.estimate(), kCoarseS).a();
+  void coarse_tick(const Vec3& requested_a, double sensor_c, bool sensor_valid = true) {
+    driven = limiter.limit({requested_a}, observer.estimate(), kCoarseS).a();
     Vec3 squares;
     Vec3 voltage;
     for (int coil = 0; coil < kCoils; ++coil) {
@@ -62,7 +62,7 @@ class ThermalLoop {
     plant.step_thermal(squares, fan_duty(), kCoarseS);
     observe(voltage, driven, driven, sensor_c, sensor_valid, kCoarseS);
   }
-  void coarse_tick(const Vec3& wanted_a) { coarse_tick(wanted_a, plant.sensor_c()); }
+  void coarse_tick(const Vec3& requested_a) { coarse_tick(requested_a, plant.sensor_c()); }
 
   static constexpr double kCoarseS = 20e-3;
 

@@ -33,7 +33,7 @@ ThermalStart known(double celsius) {
 }
 
 /// The measurement when winding `coil` of 0.45 ohm at 25 C carries `current` at `celsius`.
-ThermalMeasurement carrying(int coil, double current, double celsius, double sensor_c) {
+ThermalMeasurement measurement(int coil, double current, double celsius, double sensor_c) {
   ThermalMeasurement m = quiet(sensor_c);
   m.current_before_a[coil] = current;
   m.current_a[coil] = current;
@@ -44,7 +44,7 @@ ThermalMeasurement carrying(int coil, double current, double celsius, double sen
 
 TEST(ThermalObserver, FindsAWindingThatBurnsWhileTheThermistorStaysCool) {
   ThermalObserver observer;
-  for (int tick = 0; tick < 500; ++tick) observer.step(carrying(2, 5.0, 65.0, 25.0));
+  for (int tick = 0; tick < 500; ++tick) observer.step(measurement(2, 5.0, 65.0, 25.0));
   // Only V/I is available, with a resistance that may be off by some per cent.
   EXPECT_GT(observer.estimate().upper_c[2], 65.0);
   EXPECT_GT(observer.estimate().hottest_c, 65.0);
@@ -53,19 +53,19 @@ TEST(ThermalObserver, FindsAWindingThatBurnsWhileTheThermistorStaysCool) {
 }
 
 // Neither floor depends on the filter, nor on the other floor.
-TEST(ThermalObserver, TheBoundStandsOnResistanceWhereTheFilterDoesNotUseIt) {
+TEST(ThermalObserver, TheBoundIsByResistanceWhereTheFilterDoesNotUseIt) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
-  for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 25.0, 25.0));
+  for (int tick = 0; tick < 1000; ++tick) observer.step(measurement(1, 10.0, 25.0, 25.0));
   ASSERT_TRUE(observer.winding(1).referenced());
-  for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 68.0, 25.0));
+  for (int tick = 0; tick < 1000; ++tick) observer.step(measurement(1, 10.0, 68.0, 25.0));
   EXPECT_FALSE(observer.innovations(1).resistance.used);
   EXPECT_LT(observer.filter().winding_c(1), 40.0);
   EXPECT_GT(observer.estimate().upper_c[1], 66.0);
 }
 
-TEST(ThermalObserver, TheBoundStandsOnEnergyWhereResistanceAndThermistorSeeNone) {
+TEST(ThermalObserver, TheBoundIsByEnergyWithoutResistanceAndThermistor) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
-  for (int tick = 0; tick < 25'000; ++tick) observer.step(carrying(1, 15.0, 25.0, 25.0));
+  for (int tick = 0; tick < 25'000; ++tick) observer.step(measurement(1, 15.0, 25.0, 25.0));
   // 100 W into 59 J/K, with a 20 % tolerance on both, and some heat into the core.
   EXPECT_GT(observer.estimate().upper_c[1], 45.0);
   EXPECT_GT(observer.estimate().hottest_c, 45.0);
@@ -74,9 +74,9 @@ TEST(ThermalObserver, TheBoundStandsOnEnergyWhereResistanceAndThermistorSeeNone)
 TEST(ThermalObserver, MarksAWindingMeasuredWithinTensOfMillisecondsAndOnlyThatOne) {
   ThermalObserver observer;
   EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{}));
-  for (int tick = 0; tick < 50; ++tick) observer.step(carrying(1, 5.0, 40.0, 40.0));
+  for (int tick = 0; tick < 50; ++tick) observer.step(measurement(1, 5.0, 40.0, 40.0));
   EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{false, true, false}));
-  for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(0, 1.0, 40.0, 40.0));
+  for (int tick = 0; tick < 1000; ++tick) observer.step(measurement(0, 1.0, 40.0, 40.0));
   EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{false, true, false}))
       << "below 1.5 A V/I says nothing; what was measured stays measured";
   EXPECT_EQ(observer.estimate().measuring, (std::array<bool, kCoils>{}));
@@ -110,7 +110,7 @@ TEST(ThermalObserver, ASilentThermistorNeverMakesItCoolerAndSoonCountsAsHot) {
   EXPECT_GT(observer.estimate().hottest_c, 57.0);
 }
 
-TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsTrusted) {
+TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsAllowed) {
   ThermalObserver observer;
   ThermalMeasurement silent;
   for (int tick = 0; tick < 200; ++tick) observer.step(silent);
@@ -119,29 +119,29 @@ TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsTrusted) {
 
 TEST(ThermalObserver, NumbersThatAreNotFiniteLeaveTheEstimateFinite) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(45.0));
-  for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
+  for (int tick = 0; tick < 200; ++tick) observer.step(measurement(0, 5.0, 45.0, 44.0));
   for (const double bad : {kNan, kInfinity, -kInfinity, 1e200}) {
-    ThermalMeasurement m = carrying(0, 5.0, 45.0, 44.0);
+    ThermalMeasurement m = measurement(0, 5.0, 45.0, 44.0);
     m.current_a.x = bad;
     observer.step(m);
-    m = carrying(0, 5.0, 45.0, 44.0);
+    m = measurement(0, 5.0, 45.0, 44.0);
     m.voltage_v.y = bad == 1e200 ? kNan : bad;
     observer.step(m);
-    m = carrying(0, 5.0, 45.0, 44.0);
+    m = measurement(0, 5.0, 45.0, 44.0);
     m.thermistors.celsius[0] = bad == 1e200 ? kNan : bad;
     observer.step(m);
   }
-  for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
+  for (int tick = 0; tick < 200; ++tick) observer.step(measurement(0, 5.0, 45.0, 44.0));
   EXPECT_NEAR(observer.estimate().nodes.winding_c[0], 45.0, 0.5);
   EXPECT_TRUE(std::isfinite(observer.estimate().hottest_c));
   EXPECT_TRUE(std::isfinite(observer.estimate().ambient_c));
 }
 
-TEST(ThermalObserver, AResistanceThatCannotBeStaysWithinAFactorOfTwo) {
+TEST(ThermalObserver, AnImpossibleResistanceStaysWithinAFactorOfTwo) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (const double factor : {-1.0, 0.0, 0.01, 100.0}) {
     for (int tick = 0; tick < 1000; ++tick) {
-      ThermalMeasurement m = carrying(1, 10.0, 25.0, 25.0);
+      ThermalMeasurement m = measurement(1, 10.0, 25.0, 25.0);
       m.voltage_v[1] *= factor;
       observer.step(m);
       EXPECT_GE(observer.estimate().resistance_ohm[1], 0.45 / 2.5) << factor;
@@ -161,7 +161,8 @@ class FallenAndRested {
   }
   /// 10 A, with a V/I that gives a winding temperature below the estimate.
   void show(double below_k) {
-    observer.step(carrying(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0), kStepOfRestS);
+    observer.step(measurement(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0),
+                  kStepOfRestS);
   }
   const ResistanceFall& fall() const { return observer.fall(1); }
 
@@ -170,7 +171,7 @@ class FallenAndRested {
   bool was_certain = false;
 };
 
-TEST(ThermalObserver, AFallIsClearedAfterARestByTheResistanceOfBefore) {
+TEST(ThermalObserver, AFallIsClearedAfterARestByTheEarlierResistance) {
   FallenAndRested ball;
   ASSERT_TRUE(ball.was_certain);
   for (int step = 0; step < 500; ++step) {
@@ -191,7 +192,7 @@ TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
   ASSERT_TRUE(ball.was_certain);
   ASSERT_TRUE(ball.observer.winding(1).rested());
   EXPECT_FALSE(ball.fall().certain());
-  ThermalMeasurement unmeasured = carrying(1, 15.0, 25.0, 25.0);
+  ThermalMeasurement unmeasured = measurement(1, 15.0, 25.0, 25.0);
   unmeasured.current_measured[1] = false;
   for (int step = 0; step < 100; ++step)
     ball.observer.step(unmeasured, FallenAndRested::kStepOfRestS);
@@ -205,17 +206,17 @@ TEST(ThermalObserver, AStartThatIsKnownToAKelvinMakesAReferenceAndNoOther) {
     ThermalStart start = known(60.0);
     start.deviation_k = deviation_k;
     ThermalObserver observer(CoilModel{}, ThermalModel{}, start);
-    for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 60.0, 60.0));
+    for (int tick = 0; tick < 1000; ++tick) observer.step(measurement(1, 10.0, 60.0, 60.0));
     EXPECT_EQ(observer.winding(1).referenced(), deviation_k < 1.0) << deviation_k;
   }
 }
 
-TEST(ThermalObserver, AThermistorThatIsWarmIsNeverCappedWhileNothingIsKnown) {
+TEST(ThermalObserver, AWarmThermistorIsNeverCappedWhileTheEstimateIsUnknown) {
   ThermalStart start;
   start.nodes = {{68.0, 68.0, 68.0}, 68.0};
-  ThermalObserver guessed(CoilModel{}, ThermalModel{}, start);
-  guessed.step(quiet(68.0));
-  EXPECT_GE(guessed.estimate().hottest_c, 68.0);
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, start);
+  observer.step(quiet(68.0));
+  EXPECT_GE(observer.estimate().hottest_c, 68.0);
   ThermalObserver cold;
   for (int tick = 0; tick < 100; ++tick) cold.step(quiet(68.0));
   EXPECT_TRUE(cold.settling());
@@ -233,7 +234,7 @@ TEST(ThermalObserver, ALooseThermistorCoolsItsWindingOnlySlowly) {
   EXPECT_GT(observer.estimate().nodes.winding_c[0], without.estimate().nodes.winding_c[0] - 0.5);
 }
 
-TEST(ThermalObserver, LearnsARoomThatWasGuessedWrong) {
+TEST(ThermalObserver, EstimatesAnAmbientThatWasInitiallyWrong) {
   Plant plant(PlantParameters{}, 31.0);
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (int step = 0; step < 3 * 3600 * 50; ++step) {
@@ -244,7 +245,7 @@ TEST(ThermalObserver, LearnsARoomThatWasGuessedWrong) {
   EXPECT_NEAR(observer.estimate().nodes.core_c, 31.0, 1.0);
 }
 
-TEST(ThermalObserver, AtRestWithFiveAmpereCoreAndRoomStayRight) {
+TEST(ThermalObserver, AtRestWithFiveAmpereCoreAndAmbientStayRight) {
   ThermalLoop loop(PlantParameters{}, 25.0);
   for (int step = 0; step < 3600 * 50; ++step) loop.coarse_tick({0, 0, 5});
   EXPECT_NEAR(loop.observer.estimate().nodes.core_c, loop.plant.heat().core_c, 0.5);
@@ -264,16 +265,16 @@ Errors observe_random_ball(std::uint64_t seed) {
   ThermalLoop loop(real, random.uniform(18.0, 32.0), device_file_of(real));
   Errors errors;
   std::array<double, kCoils> driven_s{};
-  Vec3 wanted;
+  Vec3 requested;
   double until_s = 0.0;
   for (int step = 0; step < 600 * 50; ++step) {
     if (step * 20e-3 >= until_s) {
       until_s += random.uniform(0.5, 30.0);
-      wanted = {random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
+      requested = {random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
       for (int coil = 0; coil < kCoils; ++coil)
-        if (random.uniform(0, 1) < 0.4) wanted[coil] = 0.0;
+        if (random.uniform(0, 1) < 0.4) requested[coil] = 0.0;
     }
-    loop.coarse_tick(wanted);
+    loop.coarse_tick(requested);
     for (int coil = 0; coil < kCoils; ++coil) {
       const auto i = static_cast<std::size_t>(coil);
       driven_s[i] = std::abs(loop.driven[coil]) > 1.5 ? driven_s[i] + 20e-3 : 0.0;

@@ -53,7 +53,7 @@ TEST(WindingMeter, IsValidWithinTensOfMillisecondsAtFiveAmpere) {
   EXPECT_LT(bench.worst_k, 0.5);
 }
 
-TEST(WindingMeter, SaysNothingBelowOneAndAHalfAmpere) {
+TEST(WindingMeter, IsInvalidBelowOneAndAHalfAmpere) {
   Bench low{Plant(PlantParameters{}, 25.0)};
   low.run(2.0, [](double) { return 1.1; });
   EXPECT_FALSE(low.meter.valid());
@@ -62,7 +62,7 @@ TEST(WindingMeter, SaysNothingBelowOneAndAHalfAmpere) {
   EXPECT_TRUE(enough.meter.valid());
 }
 
-TEST(WindingMeter, ForgetsWhenTheCurrentEnds) {
+TEST(WindingMeter, ResetsWhenTheCurrentEnds) {
   Bench bench{Plant(PlantParameters{}, 25.0)};
   bench.run(0.5, [](double) { return 8.0; });
   ASSERT_TRUE(bench.meter.valid());
@@ -71,7 +71,7 @@ TEST(WindingMeter, ForgetsWhenTheCurrentEnds) {
   EXPECT_NEAR(bench.meter.resistance_ohm(), 0.45, 0.01);
 }
 
-TEST(WindingMeter, UnmeasuredStepsTeachNothing) {
+TEST(WindingMeter, UnmeasuredStepsAreIgnored) {
   WindingMeter meter(1.5e-3);
   for (int tick = 0; tick < 500; ++tick) meter.step(9.0, 5.0, 5.0, false, 1e-3);
   EXPECT_FALSE(meter.valid());
@@ -92,7 +92,7 @@ TEST(WindingMeter, FollowsAnyWaveformThoughTheInductanceIsOffByAFifth) {
   }
 }
 
-TEST(WindingMeter, SeesEveryPulseTrainThatFiveAmpereCouldNotReplace) {
+TEST(WindingMeter, MeasuresPulseTrainsHotterThanFiveAmpere) {
   Bench bench{Plant(PlantParameters{}, 25.0)};
   bench.run(5.0, [](double t) { return std::fmod(60.0 * t, 1.0) < 0.15 ? 15.0 : 0.0; });
   EXPECT_LT(bench.longest_gap_s, 0.02);

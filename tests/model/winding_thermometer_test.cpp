@@ -60,7 +60,7 @@ TEST(WindingThermometer, GainsOfVoltageAndCurrentCancel) {
   EXPECT_NEAR(bench.thermometer.celsius(), 65.0, 0.5);
 }
 
-TEST(WindingThermometer, KnowsNothingBeforeItHasRested) {
+TEST(WindingThermometer, IsInvalidBeforeItHasRested) {
   WindingBench bench;
   bench.r25_ohm *= 0.95;
   bench.drive(8.0, 5.0);

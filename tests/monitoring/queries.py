@@ -8,21 +8,21 @@ import time
 import urllib.parse
 import urllib.request
 
-PATIENCE_S = float(os.environ.get("HEDGEHOG_PATIENCE_MS", 60000)) / 1000
+TIMEOUT_S = float(os.environ.get("HEDGEHOG_PATIENCE_MS", 60000)) / 1000
 # Not measured until a current has flowed.
 EMPTY_AT_REST = "hedgehog_winding_r25_drift_ratio"
 
 
-def asked(server, query):
+def query_json(server, query):
     url = f"{server}/api/v1/query?{urllib.parse.urlencode({'query': query})}"
-    with urllib.request.urlopen(url, timeout=PATIENCE_S) as response:
-        answer = json.load(response)
-    assert answer["status"] == "success", answer
-    return answer["data"]["result"]
+    with urllib.request.urlopen(url, timeout=TIMEOUT_S) as response:
+        response_json = json.load(response)
+    assert response_json["status"] == "success", response_json
+    return response_json["data"]["result"]
 
 
 def rules(server):
-    with urllib.request.urlopen(f"{server}/api/v1/rules", timeout=PATIENCE_S) as response:
+    with urllib.request.urlopen(f"{server}/api/v1/rules", timeout=TIMEOUT_S) as response:
         return json.load(response)["data"]["groups"][0]["rules"]
 
 
@@ -35,18 +35,18 @@ def panel_queries(folder):
 
 
 def main(folder, server, ball):
-    until = time.monotonic() + PATIENCE_S
+    until = time.monotonic() + TIMEOUT_S
     # A rate needs two scrapes.
-    while not asked(server, f'count_over_time(up{{instance="{ball}"}}[1m]) >= 3'):
+    while not query_json(server, f'count_over_time(up{{instance="{ball}"}}[1m]) >= 3'):
         assert time.monotonic() < until, "Prometheus does not scrape the ball"
         time.sleep(0.2)
-    assert asked(server, f'up{{instance="{ball}"}} == 1'), "the ball does not answer Prometheus"
-    served = {sample["metric"]["__name__"] for sample in asked(server, f'{{instance="{ball}"}}')}
+    assert query_json(server, f'up{{instance="{ball}"}} == 1'), "the ball does not answer Prometheus"
+    served = {sample["metric"]["__name__"] for sample in query_json(server, f'{{instance="{ball}"}}')}
 
     panels = list(panel_queries(folder))
     failed = 0
     for title, query in panels:
-        found = asked(server, query)
+        found = query_json(server, query)
         ok = bool(found) or query.endswith("> 0")
         failed += not ok
         print(f"{'ok' if ok else 'not ok'} {title}: {len(found)} series: {query}")

@@ -7,25 +7,25 @@ import re
 import sys
 import time
 
-from queries import PATIENCE_S, asked
+from queries import TIMEOUT_S, query_json
 
 
 def names(server, ball):
-    return {sample["metric"]["__name__"] for sample in asked(server, f'{{instance="{ball}"}}')}
+    return {sample["metric"]["__name__"] for sample in query_json(server, f'{{instance="{ball}"}}')}
 
 
 def main(folder, first, second, ball):
     with open(f"{folder}/hedgehog.rules.yml", encoding="utf-8") as file:
         of_rules = {"up"} | set(re.findall(r"\bhedgehog_[a-z0-9_]+", file.read()))
     scraped = names(first, ball)
-    wanted = of_rules & scraped
-    assert {"up", "hedgehog_device_state"} <= wanted < scraped, scraped
-    until = time.monotonic() + PATIENCE_S
-    while not wanted <= (received := names(second, ball)):
-        assert time.monotonic() < until, f"not received: {sorted(wanted - received)}"
+    expected = of_rules & scraped
+    assert {"up", "hedgehog_device_state"} <= expected < scraped, scraped
+    until = time.monotonic() + TIMEOUT_S
+    while not expected <= (received := names(second, ball)):
+        assert time.monotonic() < until, f"not received: {sorted(expected - received)}"
         time.sleep(0.2)
-    states = asked(second, f'sum(hedgehog_device_state{{instance="{ball}", job="hedgehog", place="laboratory"}}) == 1')
-    ok = received == wanted and len(states) == 1
+    states = query_json(second, f'sum(hedgehog_device_state{{instance="{ball}", job="hedgehog", place="laboratory"}}) == 1')
+    ok = received == expected and len(states) == 1
     print(f"{'ok' if ok else 'not ok'} the second Prometheus received {len(received)} of {len(scraped)} metrics: {', '.join(sorted(received))}")
     return 0 if ok else 1
 

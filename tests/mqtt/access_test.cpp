@@ -26,7 +26,7 @@ std::string with_password(const Home& home) {
   return "allow_anonymous false\npassword_file " + home.path("passwords") + "\n";
 }
 
-TEST(MqttAccess, IsByUserAndAPasswordThatNobodySees) {
+TEST(MqttAccess, IsByUserAndAHiddenPassword) {
   const Home home;
   const Mosquitto broker(home, with_password(home));
   const DaemonProcess daemon(home);
@@ -51,7 +51,7 @@ TEST(MqttAccess, IsByUserAndAPasswordThatNobodySees) {
       [&] { return admitted.err().find("connected to the broker") != std::string::npos; }));
 }
 
-TEST(MqttAccess, OverTlsIsToABrokerWhoseCertificateIsKnown) {
+TEST(MqttAccess, OverTlsVerifiesTheBrokersCertificate) {
   const Home home;
   for (const char* name : {"broker", "other"})
     run(home, "/usr/bin/openssl",
@@ -72,11 +72,11 @@ TEST(MqttAccess, OverTlsIsToABrokerWhoseCertificateIsKnown) {
   EXPECT_TRUE(eventually([&] {
     return admitted.err().find("connected to the broker") != std::string::npos;
   })) << admitted.err();
-  const Program stranger(home, hedgehog_mqtt(), with("other.pem"));
+  const Program other_ca(home, hedgehog_mqtt(), with("other.pem"));
   EXPECT_TRUE(eventually([&] {
-    return stranger.err().find("no broker at localhost") != std::string::npos;
-  })) << stranger.err();
-  EXPECT_THAT(stranger.err(), Not(HasSubstr("connected to the broker")));
+    return other_ca.err().find("no broker at localhost") != std::string::npos;
+  })) << other_ca.err();
+  EXPECT_THAT(other_ca.err(), Not(HasSubstr("connected to the broker")));
   Program none(home, hedgehog_mqtt(), with("missing.pem"));
   EXPECT_EQ(none.wait().exit_code, 66);
 }

@@ -28,7 +28,7 @@ class MqttBridge : public ::testing::Test {
         "--id",      "HH-0042",        "--keepalive-s", "5"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     bridge.emplace(home, hedgehog_mqtt(), arguments, more_variables);
-    ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability online"));
+    ASSERT_TRUE(subscriber.receives("0 hedgehog/HH-0042/availability online"));
   }
   Json call(const std::string& method, const Json& params = Json::object()) {
     return RawClient(daemon->socket()).call(method, params);
@@ -42,40 +42,42 @@ class MqttBridge : public ::testing::Test {
   std::vector<std::string> more_variables;
 };
 
-TEST_F(MqttBridge, TellsALateSubscriberWhatIsRetained) {
+TEST_F(MqttBridge, RetainsMessagesForLateSubscribers) {
   start();
   const Subscriber late(home, broker.socket(), {"#"});
-  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/availability online"));
-  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/status {\"device\":\"ball\""));
-  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/description {\"name\":\"ball\""));
-  EXPECT_TRUE(late.sees("1 homeassistant/sensor/hedgehog-HH-0042/temperature/config {"));
-  EXPECT_TRUE(late.sees("0 hedgehog/HH-0042/telemetry {\"device\":\"ball\""));
+  EXPECT_TRUE(late.receives("1 hedgehog/HH-0042/availability online"));
+  EXPECT_TRUE(late.receives("1 hedgehog/HH-0042/status {\"device\":\"ball\""));
+  EXPECT_TRUE(late.receives("1 hedgehog/HH-0042/description {\"name\":\"ball\""));
+  EXPECT_TRUE(late.receives("1 homeassistant/sensor/hedgehog-HH-0042/temperature/config {"));
+  EXPECT_TRUE(late.receives("0 hedgehog/HH-0042/telemetry {\"device\":\"ball\""));
 }
 
-TEST_F(MqttBridge, SaysOfWhichBallEachMessageIs) {
+TEST_F(MqttBridge, NamesTheBallOfEachMessage) {
   const Subscriber properties(home, broker.socket(), {"hedgehog/+/availability"}, "%t %P");
   start();
-  EXPECT_TRUE(properties.sees("hedgehog/HH-0042/availability device:HH-0042 model:hedgehog-86"));
+  EXPECT_TRUE(
+      properties.receives("hedgehog/HH-0042/availability device:HH-0042 model:hedgehog-86"));
 }
 
-TEST_F(MqttBridge, PlaysWhatIsAskedAndAnswersOnTheResponseTopic) {
+TEST_F(MqttBridge, PlaysRequestsAndRespondsOnTheResponseTopic) {
   start();
-  Program asking(
+  Program request(
       home, "/usr/bin/mosquitto_rr",
       {"--unix", broker.socket(), "-V", "5", "-W", "60", "-t", "hedgehog/HH-0042/effect/pulse",
        "-e", "replies/1", "-m", R"({"direction": "left", "level": 0.5, "duration_ms": 200})"});
-  const Ended ended = asking.wait();
+  const Ended ended = request.wait();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr(R"({"result":{"effect":1,"accepted":true)"));
   EXPECT_TRUE(
-      subscriber.sees("0 hedgehog/HH-0042/event/effect_started {\"type\":\"effect_started\""));
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/effect_ended {\"type\":\"effect_ended\""));
+      subscriber.receives("0 hedgehog/HH-0042/event/effect_started {\"type\":\"effect_started\""));
+  EXPECT_TRUE(
+      subscriber.receives("0 hedgehog/HH-0042/event/effect_ended {\"type\":\"effect_ended\""));
 }
 
-TEST_F(MqttBridge, SaysWhyARequestIsRefused) {
+TEST_F(MqttBridge, ReportsWhyARequestIsRefused) {
   start();
   publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "lefty"})");
-  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/refused "));
+  ASSERT_TRUE(subscriber.receives("0 hedgehog/HH-0042/refused "));
   EXPECT_THAT(subscriber.all(), HasSubstr("there is no 'lefty'; did you mean 'left'?"));
   publish(home, broker.socket(), "hedgehog/HH-0042/effect/preview", "{}");
   EXPECT_TRUE(eventually([&] { return subscriber.count("0 hedgehog/HH-0042/refused ") == 2; }));
@@ -88,14 +90,14 @@ TEST_F(MqttBridge, DoesNotPlayARetainedRequest) {
   start();
   publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "up"})", {"-r"});
   publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "up"})");
-  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/effect_ended "));
+  ASSERT_TRUE(subscriber.receives("0 hedgehog/HH-0042/event/effect_ended "));
   EXPECT_EQ(subscriber.count("0 hedgehog/HH-0042/event/effect_started "), 1);
 }
 
-TEST_F(MqttBridge, StopsTheBallForWhoeverPresses) {
+TEST_F(MqttBridge, StopsTheBallForAnyClient) {
   start();
   publish(home, broker.socket(), "hedgehog/HH-0042/emergency_stop", "PRESS", {"-q", "1"});
-  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/state_changed "));
+  ASSERT_TRUE(subscriber.receives("0 hedgehog/HH-0042/event/state_changed "));
   EXPECT_EQ(call("device.status")["state"], "disarmed");
   EXPECT_TRUE(eventually([&] {
     return subscriber.all().find(
@@ -104,18 +106,18 @@ TEST_F(MqttBridge, StopsTheBallForWhoeverPresses) {
   }));
 }
 
-TEST_F(MqttBridge, ThatEndsSaysSo) {
+TEST_F(MqttBridge, ThatEndsPublishesIt) {
   start();
   bridge->signal(SIGTERM);
   EXPECT_EQ(bridge->wait().exit_code, 130);
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+  EXPECT_TRUE(subscriber.receives("0 hedgehog/HH-0042/availability offline"));
 }
 
 TEST_F(MqttBridge, ThatIsKilledOrHangsIsReportedByTheBroker) {
   start();
   bridge->signal(SIGKILL);
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
-  const int gone = subscriber.count("0 hedgehog/HH-0042/availability offline");
+  EXPECT_TRUE(subscriber.receives("0 hedgehog/HH-0042/availability offline"));
+  const int offline_count = subscriber.count("0 hedgehog/HH-0042/availability offline");
   bridge.emplace(
       home, hedgehog_mqtt(),
       std::vector<std::string>{"--address", daemon->socket(), "--broker", broker.socket(), "--id",
@@ -124,13 +126,13 @@ TEST_F(MqttBridge, ThatIsKilledOrHangsIsReportedByTheBroker) {
       eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 2; }));
   bridge->signal(SIGSTOP);
   EXPECT_TRUE(eventually(
-      [&] { return subscriber.count("0 hedgehog/HH-0042/availability offline") > gone; }));
+      [&] { return subscriber.count("0 hedgehog/HH-0042/availability offline") > offline_count; }));
   bridge->signal(SIGCONT);
   EXPECT_TRUE(
       eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 3; }));
 }
 
-TEST_F(MqttBridge, TellsTheNextBrokerWhatHappenedMeanwhile) {
+TEST_F(MqttBridge, PublishesMissedEventsToTheNextBroker) {
   start();
   broker.stop();
   call("device.emergency_stop");
@@ -139,9 +141,9 @@ TEST_F(MqttBridge, TellsTheNextBrokerWhatHappenedMeanwhile) {
   broker.start();
   const Subscriber second(home, broker.socket(), {"#"});
   bridge->signal(SIGCONT);
-  EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/availability online"));
-  EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/status "));
-  EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/event/state_changed "));
+  EXPECT_TRUE(second.receives("0 hedgehog/HH-0042/availability online"));
+  EXPECT_TRUE(second.receives("0 hedgehog/HH-0042/status "));
+  EXPECT_TRUE(second.receives("0 hedgehog/HH-0042/event/state_changed "));
 }
 
 // A broker that neither reads nor responds, as on a disconnected network.
@@ -157,16 +159,16 @@ TEST_F(MqttBridge, KeepsServingTheDaemonWhileTheBrokerHangs) {
   const Json connections = call("connection.list")["connections"];
   EXPECT_TRUE(std::any_of(connections.begin(), connections.end(), own)) << connections;
   broker.signal(SIGCONT);
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/state_changed "));
+  EXPECT_TRUE(subscriber.receives("0 hedgehog/HH-0042/event/state_changed "));
 }
 
-TEST_F(MqttBridge, SaysThatTheDaemonIsAwayAndThatItIsBack) {
+TEST_F(MqttBridge, ReportsThatTheDaemonIsOfflineAndOnlineAgain) {
   start();
   const std::string address = daemon->socket();
   daemon->stop();
-  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+  ASSERT_TRUE(subscriber.receives("0 hedgehog/HH-0042/availability offline"));
   publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "up"})");
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/refused "));
+  EXPECT_TRUE(subscriber.receives("0 hedgehog/HH-0042/refused "));
   EXPECT_THAT(subscriber.all(), HasSubstr("the daemon is gone"));
   daemon.emplace(home);
   ASSERT_EQ(daemon->socket(), address);
@@ -175,18 +177,18 @@ TEST_F(MqttBridge, SaysThatTheDaemonIsAwayAndThatItIsBack) {
 }
 
 // Its socket still accepts connections, as the kernel does that.
-TEST_F(MqttBridge, SaysThatADaemonThatHangsIsAway) {
+TEST_F(MqttBridge, ReportsThatAHangingDaemonIsOffline) {
   more_variables = {"HEDGEHOG_PATIENCE_MS=2000"};
   start({"--status-s", "0.5"});
   daemon->signal(SIGSTOP);
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+  EXPECT_TRUE(subscriber.receives("0 hedgehog/HH-0042/availability offline"));
   daemon->signal(SIGCONT);
   EXPECT_TRUE(
       eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") >= 2; }));
 }
 
 /// Lines of the README that begin with `program`, indented as commands, without their comments.
-std::vector<std::string> commands_of_the_readme(const std::string& program) {
+std::vector<std::string> readme_commands(const std::string& program) {
   std::ifstream readme(source_folder() + "/clients/mqtt/README.md");
   std::vector<std::string> found;
   for (std::string line; std::getline(readme, line);)
@@ -200,22 +202,24 @@ std::string with(std::string command, const std::string& from, const std::string
 }
 
 TEST_F(MqttBridge, IsUsedByTheCommandsOfItsReadme) {
-  const auto bridges = commands_of_the_readme("hedgehog-mqtt");
-  const auto asks = commands_of_the_readme("mosquitto_pub");
+  const auto bridges = readme_commands("hedgehog-mqtt");
+  const auto publish_commands = readme_commands("mosquitto_pub");
   ASSERT_EQ(bridges.size(), 2u);
-  ASSERT_EQ(asks.size(), 1u);
+  ASSERT_EQ(publish_commands.size(), 1u);
   const std::string command = with(with(bridges[0], "hedgehog-mqtt", "exec " + hedgehog_mqtt()),
                                    "broker.lan", broker.socket());
   bridge.emplace(home, "/bin/sh", std::vector<std::string>{"-c", command + " --id HH-0042"},
                  std::vector<std::string>{"HEDGEHOG_ADDRESS=" + daemon->socket()});
-  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability online"));
-  Program ask(home, "/bin/sh", {"-c", with(asks[0], "-h broker.lan", "--unix " + broker.socket())});
-  EXPECT_EQ(ask.wait().exit_code, 0);
-  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/effect_started "));
+  ASSERT_TRUE(subscriber.receives("0 hedgehog/HH-0042/availability online"));
+  Program publisher(
+      home, "/bin/sh",
+      {"-c", with(publish_commands[0], "-h broker.lan", "--unix " + broker.socket())});
+  EXPECT_EQ(publisher.wait().exit_code, 0);
+  EXPECT_TRUE(subscriber.receives("0 hedgehog/HH-0042/event/effect_started "));
   EXPECT_EQ(subscriber.count("0 hedgehog/HH-0042/refused "), 0);
 }
 
-TEST_F(MqttBridge, EndsWithASentenceWhenItIsToldFieldsThatThereAreNot) {
+TEST_F(MqttBridge, EndsWithASentenceForUnknownFields) {
   Program wrong(home, hedgehog_mqtt(),
                 {"--address", daemon->socket(), "--broker", broker.socket(), "--fields", "warmth"});
   const Ended ended = wrong.wait();

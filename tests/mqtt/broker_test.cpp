@@ -14,7 +14,7 @@ using mqtt::BrokerConnected;
 using mqtt::Message;
 
 // An emergency stop is neither lost among other requests nor executed after them.
-TEST(MqttBroker, HandsOutAnUrgentMessageFirstAlsoWhenThereAreTooMany) {
+TEST(MqttBroker, SendsUrgentMessagesFirstAlsoWhenTheQueueOverflows) {
   const Home home;
   const Mosquitto mosquitto(home);
   mqtt::BrokerOptions options;

@@ -43,9 +43,9 @@ Usage usage_of(int pid) {
   Usage usage;
   if (pid == 0) return usage;
   const std::string folder = "/proc/" + std::to_string(pid);
-  std::ifstream memory(folder + "/statm");
+  std::ifstream statm(folder + "/statm");
   double pages = 0.0;
-  memory >> pages >> pages;
+  statm >> pages >> pages;
   usage.resident_mb = pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
   std::ifstream stat(folder + "/stat");
   std::string word;

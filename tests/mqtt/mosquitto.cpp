@@ -56,7 +56,7 @@ Subscriber::Subscriber(const Home& home, const std::string& socket,
   }));
 }
 
-bool Subscriber::sees(const std::string& text) const {
+bool Subscriber::receives(const std::string& text) const {
   return eventually([&] { return count(text) > 0; });
 }
 

@@ -40,7 +40,7 @@ class Subscriber {
              const std::string& format = "%r %t %p");
 
   /// Waits until a line begins with `text`.
-  bool sees(const std::string& text) const;
+  bool receives(const std::string& text) const;
   /// The number of lines that begin with `text`.
   int count(const std::string& text) const;
   std::string all() const { return program_.out(); }

@@ -43,7 +43,7 @@ class MqttPartition : public ::testing::Test {
     bridge.emplace(home, hedgehog_mqtt(),
                    std::vector<std::string>{"--address", daemon->socket(), "--broker", kBrokerHost,
                                             "--id", "HH-0042", "--keepalive-s", keepalive_s});
-    ASSERT_TRUE(sees(1, "availability online"));
+    ASSERT_TRUE(receives(1, "availability online"));
   }
   /// "up" or "down"; at the broker's end, so that the bridge's machine keeps address and route.
   void set_cable(const std::string& state) {
@@ -54,11 +54,12 @@ class MqttPartition : public ::testing::Test {
 
   int count(const std::string& message) const { return subscriber->count(kTopics + message); }
   /// Waits for the `number`th message that begins so; its topic without the ball's prefix.
-  bool sees(int number, const std::string& message) const {
+  bool receives(int number, const std::string& message) const {
     return eventually([&] { return count(message) >= number; });
   }
   /// mosquitto_rr with a request for an effect; its output is the response.
-  std::vector<std::string> asking(const std::string& effect, const std::string& params) const {
+  std::vector<std::string> request_arguments(const std::string& effect,
+                                             const std::string& params) const {
     return {"--unix", broker->socket(),
             "-V",     "5",
             "-W",     "60",
@@ -66,14 +67,14 @@ class MqttPartition : public ::testing::Test {
             "-e",     "replies/" + effect,
             "-m",     params};
   }
-  std::string ask(const std::string& effect, const std::string& params) const {
-    Program client(home, "/usr/bin/mosquitto_rr", asking(effect, params));
+  std::string request(const std::string& effect, const std::string& params) const {
+    Program client(home, "/usr/bin/mosquitto_rr", request_arguments(effect, params));
     const Ended ended = client.wait();
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     return ended.out;
   }
   /// Plays a pulse by the daemon's own socket, to its end.
-  void play_beside_the_bridge() {
+  void play_without_bridge() {
     RawClient client(daemon->socket());
     client.call("events.subscribe");
     const Json admitted = client.call("effect.pulse", {{"direction", "left"}});
@@ -88,15 +89,15 @@ class MqttPartition : public ::testing::Test {
     });
   }
   /// Every event and every telemetry message has a time of its own.
-  void expect_nothing_twice() const {
+  void expect_no_duplicates() const {
     std::vector<std::string> messages;
     std::istringstream lines(subscriber->all());
     for (std::string line; std::getline(lines, line);)
       for (const char* kind : {"event/", "telemetry "})
         if (line.starts_with(std::string(kTopics) + kind)) messages.push_back(line);
     std::sort(messages.begin(), messages.end());
-    const auto twice = std::adjacent_find(messages.begin(), messages.end());
-    EXPECT_TRUE(twice == messages.end()) << *twice;
+    const auto duplicate = std::adjacent_find(messages.begin(), messages.end());
+    EXPECT_TRUE(duplicate == messages.end()) << *duplicate;
   }
 
   Home home;
@@ -106,18 +107,18 @@ class MqttPartition : public ::testing::Test {
   std::optional<Program> bridge;
 };
 
-TEST_F(MqttPartition, LongerThanTheKeepaliveGivesTheWillAndThenEverythingOnce) {
+TEST_F(MqttPartition, LongerThanTheKeepaliveSendsTheWillAndThenEverythingOnce) {
   start("5");
-  EXPECT_THAT(ask("pulse", kPulse), HasSubstr(kAccepted));
-  ASSERT_TRUE(sees(1, "event/effect_ended "));
+  EXPECT_THAT(request("pulse", kPulse), HasSubstr(kAccepted));
+  ASSERT_TRUE(receives(1, "event/effect_ended "));
   // A request reaches the bridge after the acknowledgements of the events before it: when it is
   // answered, no event is left that would be sent again.
-  EXPECT_THAT(ask("stop_all", "{}"), HasSubstr("result"));
+  EXPECT_THAT(request("stop_all", "{}"), HasSubstr("result"));
 
   set_cable("down");
   publish(home, broker->socket(), "hedgehog/HH-0042/effect/pulse", kPulse);
-  play_beside_the_bridge();
-  EXPECT_TRUE(sees(1, "availability offline"));
+  play_without_bridge();
+  EXPECT_TRUE(receives(1, "availability offline"));
   EXPECT_THAT(broker->log(), HasSubstr("Client hedgehog-HH-0042 has exceeded timeout"));
   EXPECT_TRUE(bridge_is_connected());
   // Both ends have closed the old connection: nothing that was on its way arrives late.
@@ -129,12 +130,12 @@ TEST_F(MqttPartition, LongerThanTheKeepaliveGivesTheWillAndThenEverythingOnce) {
   const int telemetry = count("telemetry ");
 
   set_cable("up");
-  ASSERT_TRUE(sees(2, "availability online")) << bridge->err();
-  EXPECT_TRUE(sees(statuses + 1, "status "));
-  EXPECT_TRUE(sees(telemetry + 2, "telemetry "));
-  EXPECT_TRUE(sees(2, "event/effect_ended ")) << "of what was played meanwhile";
-  EXPECT_THAT(ask("pulse", kPulse), HasSubstr(kAccepted));
-  EXPECT_TRUE(sees(3, "event/effect_ended "));
+  ASSERT_TRUE(receives(2, "availability online")) << bridge->err();
+  EXPECT_TRUE(receives(statuses + 1, "status "));
+  EXPECT_TRUE(receives(telemetry + 2, "telemetry "));
+  EXPECT_TRUE(receives(2, "event/effect_ended ")) << "of what was played meanwhile";
+  EXPECT_THAT(request("pulse", kPulse), HasSubstr(kAccepted));
+  EXPECT_TRUE(receives(3, "event/effect_ended "));
 
   EXPECT_EQ(count("event/effect_started "), 3) << "the request during the partition is not kept";
   EXPECT_EQ(count("event/effect_ended "), 3);
@@ -142,28 +143,28 @@ TEST_F(MqttPartition, LongerThanTheKeepaliveGivesTheWillAndThenEverythingOnce) {
   EXPECT_EQ(count("availability online"), 2);
   EXPECT_EQ(subscriber->count("0 replies/pulse "), 2);
   EXPECT_EQ(count("refused "), 0);
-  expect_nothing_twice();
+  expect_no_duplicates();
   const Subscriber late(home, broker->socket(), {"#"});
-  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/availability online"));
+  EXPECT_TRUE(late.receives("1 hedgehog/HH-0042/availability online"));
 }
 
 TEST_F(MqttPartition, ShorterThanTheKeepaliveLosesNothing) {
   start("600");
   set_cable("down");
-  Program client(home, "/usr/bin/mosquitto_rr", asking("pulse", kPulse));
-  play_beside_the_bridge();
+  Program client(home, "/usr/bin/mosquitto_rr", request_arguments("pulse", kPulse));
+  play_without_bridge();
   EXPECT_EQ(count("event/effect_started "), 0);
 
   set_cable("up");
   const Ended ended = client.wait();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr(kAccepted));
-  EXPECT_TRUE(sees(2, "event/effect_ended "));
+  EXPECT_TRUE(receives(2, "event/effect_ended "));
   EXPECT_EQ(count("event/effect_started "), 2);
   EXPECT_EQ(count("event/effect_ended "), 2);
   EXPECT_EQ(count("availability online"), 1);
   EXPECT_EQ(count("availability offline"), 0);
-  expect_nothing_twice();
+  expect_no_duplicates();
 }
 
 }  // namespace

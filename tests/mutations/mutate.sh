@@ -154,7 +154,7 @@ done <"$work/used"
 list_commands "$work/commands"
 : >"$work/results"
 [ -z "$seconds" ] || export MUTATIONS_END=$(($(date +%s) + seconds))
-seq "$(wc -l <"$work/chosen")" | xargs -r -P "${JOBS:-2}" -n 1 tests/mutations/judge_mutant.sh || true
+seq "$(wc -l <"$work/chosen")" | xargs -r -P "${JOBS:-2}" -n 1 tests/mutations/test_mutant.sh || true
 
 awk -F '\t' '
   FILENAME == ARGV[1] { ++known[$1]; files[$1]; next }

@@ -19,7 +19,7 @@ test('it is a valid OpenRPC document', () => {
   assert.equal(validateOpenRPCDocument(document()), true);
 });
 
-test('it stands alone: every reference resolves', async () => {
+test('it is complete: every reference resolves', async () => {
   const resolved = await parseOpenRPCDocument(document());
   assert.equal(resolved.methods.length, document().methods.length);
   assert.ok(!JSON.stringify(resolved).includes('$ref'));
@@ -37,25 +37,25 @@ test('each method has the errors that it answers with', async () => {
   assert.deepEqual(errors.find(({ code }) => code === -32008).data, { name: 'no_such_pattern' });
 });
 
-test('calls are judged as the daemon judges them', async () => {
+test('calls are validated as by the daemon', async () => {
   const calls = new MethodCallValidator(await parseOpenRPCDocument(document()));
-  const verdict = (method, params) => calls.validate(method, params);
+  const validate = (method, params) => calls.validate(method, params);
   for (const direction of ['left', [0, 0, 1], { azimuth_deg: 90 }, { pin: 34 }])
-    assert.deepEqual(verdict('effect.pulse', { direction, level: 0.5 }), []);
-  assert.deepEqual(verdict('ping', {}), []);
+    assert.deepEqual(validate('effect.pulse', { direction, level: 0.5 }), []);
+  assert.deepEqual(validate('ping', {}), []);
   for (const wrong of [{}, { direction: 'sideways' }, { direction: [0, 1] }, { direction: 'left', level: 1.5 }])
-    assert.equal(verdict('effect.pulse', wrong).length, 1, JSON.stringify(wrong));
-  assert.match(verdict('effect.pluse', {}).message, /not found|does not exist/i);
+    assert.equal(validate('effect.pulse', wrong).length, 1, JSON.stringify(wrong));
+  assert.match(validate('effect.pluse', {}).message, /not found|does not exist/i);
 });
 
-test('what is required comes first, as the specification wants it', () => {
+test('required parameters come first, as the specification requires', () => {
   for (const { name, params } of document().methods) {
     const required = params.map((param) => param.required);
     assert.deepEqual(required, [...required].sort((a, b) => b - a), name);
   }
 });
 
-test('a generator makes types of it in every language that it knows', async () => {
+test('a generator makes types of it in every supported language', async () => {
   const typings = new Typings(await parseOpenRPCDocument(document()));
   for (const language of ['typescript', 'rust', 'go', 'python']) {
     const types = typings.toString(language);
@@ -81,7 +81,7 @@ const madeClient = async (folder) => {
 };
 
 /** A WebSocket that responds to each request with `result`, and the requests that it received. */
-const answering = (result) => new Promise((resolve) => {
+const mockServer = (result) => new Promise((resolve) => {
   const requests = [];
   const server = new (packages('ws').Server)({ host: '127.0.0.1', port: 0 }, () => resolve({ server, requests }));
   server.on('connection', (socket) => socket.on('message', (text) => {
@@ -97,7 +97,7 @@ test('a generator makes a client of it that compiles and calls', async (context)
   await rm(folder, { recursive: true, force: true });
   const { errors, module } = await madeClient(folder);
   assert.deepEqual(errors, []);
-  const { server, requests } = await answering({ version: '1.0.0' });
+  const { server, requests } = await mockServer({ version: '1.0.0' });
   context.after(() => server.close());
   const client = new (packages(module).default)({ transport: { type: 'websocket', host: '127.0.0.1', port: server.address().port } });
   context.after(() => client.rpc.close());

@@ -15,7 +15,7 @@ RpcError no_pulse(std::string_view more) {
   return refused("effect.pulse", R"({"direction":"left",)" + std::string(more) + "}");
 }
 
-TEST(EffectParams, DirectionsAreKeptAsTheyWereSaid) {
+TEST(EffectParams, DirectionsAreStoredAsRequested) {
   const auto direction = [](std::string_view given) {
     return accepted<EffectStart>("effect.pulse", R"({"direction":)" + std::string(given) + "}")
         .params.direction.value();
@@ -28,7 +28,7 @@ TEST(EffectParams, DirectionsAreKeptAsTheyWereSaid) {
   EXPECT_EQ(direction(R"({"pin":34})"), Direction(PinNumber{34}));
 }
 
-TEST(EffectParams, DirectionsThatAreNone) {
+TEST(EffectParams, InvalidDirections) {
   const auto field = [](std::string_view given) {
     const RpcError error = refused("effect.pulse", R"({"direction":)" + std::string(given) + "}");
     EXPECT_EQ(error.code, ErrorCode::kInvalidParams) << given;
@@ -152,7 +152,7 @@ TEST(EffectParams, AttackAndFadeFitIntoTheDuration) {
   EXPECT_EQ(pulse(R"("lease_ms":1000,"attack_ms":60)").attack_ms, 60);
 }
 
-TEST(EffectParams, OneWayToSayWhen) {
+TEST(EffectParams, OneWayToGiveTheStart) {
   EXPECT_EQ(pulse(R"("start_at_ns":273660123456789)").start_at_ns, 273'660'123'456'789);
   EXPECT_EQ(no_pulse(R"("start_at_ns":5,"delay_ms":5)").field, "delay_ms");
   EXPECT_EQ(no_pulse(R"("start_at_ns":-5)").field, "start_at_ns");

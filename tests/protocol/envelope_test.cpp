@@ -7,7 +7,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Envelope, IdComesBackAsItWasSent) {
+TEST(Envelope, IdIsReturnedUnchanged) {
   for (const std::string id : {"7", "-3", "0", "\"abc\"", "\"\"", "null", "1.5", "9007199254740992",
                                "-9007199254740992", "\"\\u00e4\""}) {
     const Item item = only(R"({"jsonrpc":"2.0","id":)" + id + R"(,"method":"ping"})");
@@ -28,26 +28,26 @@ TEST(Envelope, IdOfAnotherKindIsAnInvalidRequest) {
   }
 }
 
-TEST(Envelope, WithoutIdNothingIsAnswered) {
+TEST(Envelope, WithoutIdThereIsNoResponse) {
   EXPECT_EQ(only(R"({"jsonrpc":"2.0","method":"ping"})").id, std::nullopt);
   // an invalid notification has no response either
   EXPECT_EQ(only(R"({"jsonrpc":"2.0","method":"no.such"})").id, std::nullopt);
   EXPECT_EQ(only(R"({"jsonrpc":"2.0","method":"ping","params":{"x":1}})").id, std::nullopt);
 }
 
-TEST(Envelope, MethodIsKnownEvenWhenParametersAreWrong) {
+TEST(Envelope, MethodIsReportedEvenWhenParametersAreWrong) {
   EXPECT_EQ(only(line_of("effect.pulse", R"({"level":3})")).method, method_named("effect.pulse"));
   EXPECT_EQ(only(line_of("effect.nudge", "{}")).method, std::nullopt);
 }
 
-TEST(Envelope, ParametersMayBeLeftOutButNeverGoByPosition) {
+TEST(Envelope, ParametersMayBeOmittedButNotPositional) {
   EXPECT_TRUE(only(R"({"jsonrpc":"2.0","id":1,"method":"device.status"})").request.has_value());
   EXPECT_EQ(refused("ping", "[]").code, ErrorCode::kInvalidParams);
   EXPECT_EQ(refused("ping", "null").field, "params");
   EXPECT_EQ(refused("ping", "3").code, ErrorCode::kInvalidParams);
 }
 
-TEST(Envelope, WhatIsNotJsonIsAParseError) {
+TEST(Envelope, InvalidJsonIsAParseError) {
   for (const std::string line :
        {"",
         " ",
@@ -74,7 +74,7 @@ TEST(Envelope, WhatIsNotJsonIsAParseError) {
     EXPECT_EQ(refused_line(line).code, ErrorCode::kParseError) << line;
 }
 
-TEST(Envelope, AParseErrorSaysWhere) {
+TEST(Envelope, AParseErrorHasThePosition) {
   EXPECT_THAT(refused_line(R"({"jsonrpc":"2.0",)").message, HasSubstr("at byte "));
   EXPECT_THAT(refused_line("[1e999]").message, HasSubstr("too large"));
   EXPECT_THAT(refused_line(R"({"level":1,"level":0})").message, HasSubstr("'level' stands twice"));
@@ -94,7 +94,7 @@ TEST(Envelope, NestingIsBoundedHoweverLongTheLine) {
   EXPECT_EQ(decode_line("[[]]").items.at(0).request.error().code, ErrorCode::kInvalidRequest);
 }
 
-TEST(Envelope, WhatIsJsonButNoRequestIsAnInvalidRequest) {
+TEST(Envelope, JsonThatIsNoRequestIsAnInvalidRequest) {
   for (const std::string line :
        {"null", "1", "\"ping\"", "true", "{}", R"({"method":"ping"})",
         R"({"jsonrpc":"1.0","method":"ping"})", R"({"jsonrpc":2.0,"method":"ping"})",
@@ -105,7 +105,7 @@ TEST(Envelope, WhatIsJsonButNoRequestIsAnInvalidRequest) {
   EXPECT_EQ(item.id, Id::number(9));
 }
 
-TEST(Envelope, BatchKeepsItsOrderAndMixesGoodWithBad) {
+TEST(Envelope, BatchKeepsItsOrderWithValidAndInvalidItems) {
   const Incoming incoming = decode_line(
       R"([{"jsonrpc":"2.0","id":1,"method":"ping"},7,{"jsonrpc":"2.0","method":"device.status"},)"
       R"({"jsonrpc":"2.0","id":2,"method":"nothing"}])");
@@ -141,7 +141,7 @@ TEST(Envelope, WhitespaceAndCarriageReturnAreHarmless) {
   EXPECT_TRUE(only("  {\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\"}\r").request.has_value());
 }
 
-TEST(Envelope, EncodesAnswersOnOneLine) {
+TEST(Envelope, EncodesResponsesOnOneLine) {
   EXPECT_EQ(encode_result(Id::number(4), PingResult{12}),
             R"({"jsonrpc":"2.0","id":4,"result":{"time_ns":12}})");
   EXPECT_EQ(encode_result(Id{"\"x\""}, Done{}), R"({"jsonrpc":"2.0","id":"x","result":{}})");

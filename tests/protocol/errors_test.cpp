@@ -15,7 +15,7 @@ TEST(Errors, OutOfRange) {
   EXPECT_EQ(out_of_range("lease_ms", 100, 99).message, "lease_ms: 99 is below 100");
 }
 
-TEST(Errors, NotArmedSaysWhyAndWhatMends) {
+TEST(Errors, NotArmedHasReasonAndRemedy) {
   EXPECT_EQ(line_for(not_armed("tripped", "sensor_frozen", "Run: hedgehogctl arm")),
             R"({"jsonrpc":"2.0","id":12,"error":{"code":-32000,)"
             R"("message":"not_armed: the ball is tripped (sensor_frozen). Run: hedgehogctl arm",)"
@@ -60,7 +60,7 @@ TEST(Errors, EveryCodeHasItsNameAndNumber) {
     EXPECT_EQ(static_cast<int>(kErrorCodes[i]), documented[i].first);
 }
 
-TEST(Errors, ClientsGetThemBackWhole) {
+TEST(Errors, ClientsDecodeThemCompletely) {
   RpcError error = not_armed("disarmed", "unclean_stop", "Run: hedgehogctl arm");
   error.code = ErrorCode::kRefusedThermal;
   error.field = "level";
@@ -75,13 +75,13 @@ TEST(Errors, ClientsGetThemBackWhole) {
   EXPECT_EQ(reply.result.error(), error);
 }
 
-TEST(Client, KeepsTheResultAsItCame) {
+TEST(Client, KeepsTheResultUnchanged) {
   const auto messages =
       *decode_messages(R"({"jsonrpc":"2.0","id":3,"result":{"b":1,"a":[1.5,null,"ä"]}})");
   EXPECT_EQ(*std::get<Reply>(messages.at(0)).result, R"({"b":1,"a":[1.5,null,"ä"]})");
 }
 
-TEST(Client, ReadsBatchesAndSkipsWhatItDoesNotKnow) {
+TEST(Client, ReadsBatchesAndSkipsUnknownItems) {
   const auto messages = *decode_messages(
       R"([{"jsonrpc":"2.0","id":1,"result":{}},{"jsonrpc":"2.0","method":"news","params":{}}])");
   ASSERT_EQ(messages.size(), 2u);
@@ -90,7 +90,7 @@ TEST(Client, ReadsBatchesAndSkipsWhatItDoesNotKnow) {
       decode_messages(R"({"jsonrpc":"2.0","method":"event","params":{"type":"comet"}})")->at(0)));
 }
 
-TEST(Client, WhatIsNoAnswerIsAnError) {
+TEST(Client, InvalidResponsesAreErrors) {
   for (const std::string line : {"", "HTTP/1.1 400", "{}", "[1]", R"({"id":1})",
                                  R"({"method":"event","params":{"type":5}})"})
     EXPECT_FALSE(decode_messages(line).has_value()) << line;
@@ -99,7 +99,7 @@ TEST(Client, WhatIsNoAnswerIsAnError) {
   EXPECT_FALSE(std::get<Reply>(bare.at(0)).result.has_value());
 }
 
-TEST(Client, RawRequestsPassThrough) {
+TEST(Client, RawRequestsAreForwarded) {
   EXPECT_EQ(encode_raw_request(Id::number(1), "x.y", R"({"a":1})"),
             R"({"jsonrpc":"2.0","id":1,"method":"x.y","params":{"a":1}})");
   EXPECT_EQ(encode_request(std::nullopt, EffectStopAll{}),

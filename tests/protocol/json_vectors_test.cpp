@@ -19,7 +19,7 @@ constexpr std::size_t kVectorLevels = 32;
 
 bool is_json(std::string_view text) { return parse_json(text, kVectorLevels).has_value(); }
 
-TEST(JsonVectors, WhatTheGrammarAllowsIsRead) {
+TEST(JsonVectors, ValidTextsAreRead) {
   for (const std::string_view text :
        {// Section 2: any value is a text, white space around every token.
         "null"sv, "true"sv, "false"sv, "0"sv, "\"\""sv, "[]"sv, "{}"sv, " \t\n\r[ \t\n\r] \t\n\r"sv,
@@ -43,7 +43,7 @@ TEST(JsonVectors, WhatTheGrammarAllowsIsRead) {
     EXPECT_TRUE(is_json(text)) << text;
 }
 
-TEST(JsonVectors, WhatBreaksTheStructureIsRefused) {
+TEST(JsonVectors, InvalidStructureIsRefused) {
   for (const std::string_view text : {""sv,
                                       " "sv,
                                       "["sv,
@@ -125,7 +125,7 @@ TEST(JsonVectors, NumbersKeepTheirValue) {
   EXPECT_TRUE(std::signbit(*parse_json("-0.0", kVectorLevels)->as<double>()));
 }
 
-TEST(JsonVectors, AnEscapeInItChangesNothingElse) {
+TEST(JsonVectors, AnEscapedNameIsTheSameName) {
   for (const std::string_view value : {R"(0)"sv,
                                        R"(-0)"sv,
                                        R"(-0.0)"sv,
@@ -213,7 +213,7 @@ TEST(JsonVectors, ANulEndsNothing) {
   }
 }
 
-TEST(JsonVectors, ANameStandsOnceInAnObject) {
+TEST(JsonVectors, ANameIsUniqueInAnObject) {
   for (const std::string_view text : {R"({"a":1,"a":1})"sv, R"({"a":1,"b":2,"a":3})"sv,
                                       R"({"a":1,"\u0061":2})"sv, R"([{"":0,"":0}])"sv})
     EXPECT_FALSE(is_json(text)) << text;

@@ -7,7 +7,7 @@
 namespace hedgehog::protocol {
 namespace {
 
-bool coin() { return *rc::gen::inRange(0, 2) == 1; }
+bool random_bool() { return *rc::gen::inRange(0, 2) == 1; }
 
 std::int64_t integer(std::int64_t low, std::int64_t high) {
   return *rc::gen::inRange(low, high + 1);
@@ -26,7 +26,7 @@ E enumerator() {
 
 template <class T, class Make>
 void maybe(std::optional<T>& field, Make make) {
-  if (coin()) field = make();
+  if (random_bool()) field = make();
 }
 
 std::string slot() {
@@ -48,9 +48,9 @@ Direction direction() {
 }
 
 model::Quaternion quaternion() {
-  return model::axis_angle({0, 0, 1}, 0) == model::Quaternion{} && coin()
+  return model::axis_angle({0, 0, 1}, 0) == model::Quaternion{} && random_bool()
              ? model::Quaternion{}
-             : model::Quaternion{0, coin() ? 1.0 : -1.0, 0, 0};
+             : model::Quaternion{0, random_bool() ? 1.0 : -1.0, 0, 0};
 }
 
 std::vector<Keyframe> keyframes() {
@@ -92,8 +92,9 @@ void fill_end(EffectParams& p, std::int64_t default_ms) {
       p.attack_ms, [&] { return integer(0, duration); });
   maybe(
       p.fade_ms, [&] { return integer(0, duration - p.attack_ms.value_or(0)); });
-  maybe(p.on_close,
-        [&] { return coin() && duration <= kMaxFinishMs ? OnClose::kFinish : OnClose::kStop; });
+  maybe(p.on_close, [&] {
+    return random_bool() && duration <= kMaxFinishMs ? OnClose::kFinish : OnClose::kStop;
+  });
 }
 
 /// For a start; nullopt: for an update.
@@ -107,13 +108,13 @@ EffectParams effect_params(std::optional<model::EffectMethod> method) {
   else if (!circle && !play)
     maybe(p.direction, direction);
   if (play || update) {
-    if (coin())
+    if (random_bool())
       p.pattern = pattern_name();
-    else if (play || coin())
+    else if (play || random_bool())
       p.keyframes = keyframes();
     maybe(p.rotate_to, direction);
     maybe(p.rate, [] { return between(0.1, 10); });
-    maybe(p.loop, coin);
+    maybe(p.loop, random_bool);
   }
   if (circle || update) {
     maybe(p.axis, direction);
@@ -138,7 +139,7 @@ EffectParams effect_params(std::optional<model::EffectMethod> method) {
   }
   maybe(p.frame, enumerator<model::Frame>);
   maybe(p.gain, [] { return between(0, 1); });
-  if (coin())
+  if (random_bool())
     maybe(p.start_at_ns, [] { return integer(0, std::int64_t{1} << 60); });
   else
     maybe(
@@ -192,7 +193,7 @@ ThermalForecast forecast() {
 TelemetrySubscribe telemetry() {
   TelemetrySubscribe made;
   made.rate_hz = between(0.1, 200);
-  if (coin()) {
+  if (random_bool()) {
     made.fields = {};
     made.fields.add(enumerator<StatusKey>());
     made.fields.add(enumerator<StatusKey>());
@@ -218,16 +219,16 @@ SimSet sim_set() {
 Request filled(Request request) {
   if (auto* hello = std::get_if<Hello>(&request)) {
     hello->client = slot();
-    hello->protocol = coin() ? "1.0" : "";
+    hello->protocol = random_bool() ? "1.0" : "";
     maybe(hello->token, slot);
   } else if (auto* update = std::get_if<EffectUpdate>(&request)) {
     update->params = effect_params(std::nullopt);
-    if (coin())
+    if (random_bool())
       update->effect = number();
     else
       update->params.slot = slot();
   } else if (auto* stop = std::get_if<EffectStop>(&request)) {
-    coin() ? void(stop->effect = number()) : void(stop->slot = slot());
+    random_bool() ? void(stop->effect = number()) : void(stop->slot = slot());
   } else if (auto* all = std::get_if<EffectStopAll>(&request)) {
     all->scope = enumerator<Scope>();
   } else if (auto* claim = std::get_if<DeviceClaim>(&request)) {
@@ -239,13 +240,15 @@ Request filled(Request request) {
   } else if (auto* recenter = std::get_if<OrientationRecenter>(&request)) {
     recenter->azimuth_deg = between(-360, 360);
   } else if (auto* events = std::get_if<EventsSubscribe>(&request)) {
-    events->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
+    events->types =
+        random_bool() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
     events->scope = enumerator<Scope>();
   } else if (auto* preview = std::get_if<EffectPreview>(&request)) {
     preview->start = start();
   } else if (auto* history = std::get_if<EventsHistory>(&request)) {
     maybe(history->since, [] { return std::string("2026-11-20T23:14:07.5+01:00"); });
-    history->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
+    history->types =
+        random_bool() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
     history->limit = integer(1, 1000);
   } else if (auto* put = std::get_if<PatternPut>(&request)) {
     put->pattern = pattern();

@@ -35,7 +35,7 @@ class Readme : public testing::Test {
   Json messages_ = messages_schema();
 };
 
-TEST_F(Readme, HasExamplesThatSayBothSides) {
+TEST_F(Readme, HasExamplesWithRequestAndResponse) {
   EXPECT_GE(examples_.size(), 20u);
   for (const Example& example : examples_) {
     ASSERT_FALSE(example.lines.empty());
@@ -65,28 +65,28 @@ TEST_F(Readme, EveryMethodHasAnExampleAndEveryParameterIsNamed) {
 }
 
 /// The required form of a response, by the text of its id.
-void check_answer(const Json& messages, const Json& answer,
-                  const std::map<std::string, Item>& asked, int line) {
-  const Json* id = answer.find("id");
+void check_response(const Json& messages, const Json& response,
+                    const std::map<std::string, Item>& requests, int line) {
+  const Json* id = response.find("id");
   ASSERT_NE(id, nullptr) << line;
-  const auto found = asked.find(to_text(*id));
-  ASSERT_NE(found, asked.end()) << "nobody asked, line " << line;
+  const auto found = requests.find(to_text(*id));
+  ASSERT_NE(found, requests.end()) << "nobody asked, line " << line;
   const Item& item = found->second;
-  if (const Json* error = answer.find("error")) {
+  if (const Json* error = response.find("error")) {
     EXPECT_EQ(violation(messages, "Error", *error), "") << line;
     if (!item.request) {
-      EXPECT_EQ(mismatch(to_text(answer), encode_error(*item.id, item.request.error())), "")
+      EXPECT_EQ(mismatch(to_text(response), encode_error(*item.id, item.request.error())), "")
           << line;
     }
     return;
   }
   ASSERT_TRUE(item.request.has_value()) << line << ": " << item.request.error().message;
-  EXPECT_EQ(violation(messages, result_name(*item.method), *answer.find("result")), "") << line;
+  EXPECT_EQ(violation(messages, result_name(*item.method), *response.find("result")), "") << line;
 }
 
-TEST_F(Readme, AnswersAreWhatTheCodeAndTheSchemaSay) {
+TEST_F(Readme, ResponsesConformToTheCodeAndTheSchema) {
   for (const Example& example : examples_) {
-    std::map<std::string, Item> asked;
+    std::map<std::string, Item> requests;
     for (const ExampleLine& line : example.lines) {
       if (line.sent) {
         for (Item& item : decode_line(line.text).items) {
@@ -96,7 +96,7 @@ TEST_F(Readme, AnswersAreWhatTheCodeAndTheSchemaSay) {
             EXPECT_EQ(batch ? "" : violation(messages_, "Request", *json), "") << line.number;
           }
           if (item.id)
-            asked.insert_or_assign(item.id->json, std::move(item));
+            requests.insert_or_assign(item.id->json, std::move(item));
           else
             EXPECT_TRUE(item.request.has_value()) << "line " << line.number;
         }
@@ -107,15 +107,15 @@ TEST_F(Readme, AnswersAreWhatTheCodeAndTheSchemaSay) {
       if (json->find("method") != nullptr)
         EXPECT_EQ(violation(messages_, "Notification", *json), "") << line.number;
       else if (const auto* batch = json->as<Json::List>())
-        for (const Json& one : *batch) check_answer(messages_, one, asked, line.number);
+        for (const Json& one : *batch) check_response(messages_, one, requests, line.number);
       else
-        check_answer(messages_, *json, asked, line.number);
+        check_response(messages_, *json, requests, line.number);
     }
   }
 }
 
 /// One row of the table of equivalents: "(1, 0, 0) → [0, -1, 0] right".
-TEST_F(Readme, EquivalentsPointWhereTheirTestVectorsSay) {
+TEST_F(Readme, EquivalentsMatchTheirTestVectors) {
   using Vector = std::array<double, 3>;
   using Formula = std::function<Vector(const Vector&)>;
   const std::map<std::string, Formula> formulas{{"[z, -x, y]",
@@ -139,10 +139,10 @@ TEST_F(Readme, EquivalentsPointWhereTheirTestVectorsSay) {
   int rows = 0;
   for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it, ++rows) {
     const std::smatch& match = *it;
-    const auto theirs = parse_json("[" + match[2].str() + "]", 2)->value;
+    const auto vectors = parse_json("[" + match[2].str() + "]", 2)->value;
     Vector from{};
     for (std::size_t i = 0; i < from.size(); ++i)
-      from[i] = static_cast<double>(*std::get<Json::List>(theirs)[i].as<std::int64_t>());
+      from[i] = static_cast<double>(*std::get<Json::List>(vectors)[i].as<std::int64_t>());
     const Vector to = formulas.at(match[1].str())(from);
     std::string written = "[";
     for (const double part : to) {

@@ -134,7 +134,7 @@ TEST(Results, TextIsEscapedAndAlwaysUtf8) {
   EXPECT_EQ(result_of(gain), R"({"gain":1,"seq":0})");
 }
 
-TEST(Results, EveryKindComesBackTheSame) {
+TEST(Results, EveryKindIsDecodedUnchanged) {
   const ConnectionsResult connections{
       {{3, "Racer", "tcp", "127.0.0.1:5", std::nullopt, std::nullopt, Role::kPlay, 12.5, false,
         example_status().effects},
@@ -176,7 +176,7 @@ TEST(Results, EveryKindComesBackTheSame) {
             RecenterResult{-53.2});
 }
 
-TEST(Results, ClientsTakeWhatTheyKnowAndLeaveTheRest) {
+TEST(Results, ClientsIgnoreUnknownMembers) {
   const Result<Admission> a =
       decode_result<Admission>(R"({"effect":41,"seq":3,"new_in_1_4":{"x":[]},"slot":null})");
   ASSERT_TRUE(a.has_value());
@@ -189,7 +189,7 @@ TEST(Results, ClientsTakeWhatTheyKnowAndLeaveTheRest) {
   EXPECT_EQ(decode_result<HelloResult>(R"({"role":"emperor"})")->role, Role::kObserve);
 }
 
-TEST(Notifications, TelemetryHasTheKeysAskedForAndTheTime) {
+TEST(Notifications, TelemetryHasTheRequestedKeysAndTheTime) {
   Telemetry t{{}, example_status()};
   t.keys.add(StatusKey::kOrientation);
   const std::string line = encode_telemetry(t);

@@ -11,7 +11,7 @@
 namespace hedgehog::protocol {
 namespace {
 
-RC_GTEST_PROP(Laws, EveryValidRequestArrivesAsItWasMeant, ()) {
+RC_GTEST_PROP(Laws, EveryValidRequestIsDecodedUnchanged, ()) {
   const Request request = *random_request();
   const Id id = Id::number(*rc::gen::arbitrary<int>());
   const std::string line = encode_request(id, request);
@@ -25,13 +25,13 @@ RC_GTEST_PROP(Laws, EveryValidRequestArrivesAsItWasMeant, ()) {
   RC_ASSERT(item.method == method_of(request));
 }
 
-RC_GTEST_PROP(Laws, WhatWasReadOnceReadsTheSameAgain, ()) {
+RC_GTEST_PROP(Laws, DecodingIsReproducible, ()) {
   const std::string line = encode_request(std::nullopt, *random_request());
   const Incoming first = decode_line(line);
   RC_ASSERT(encode_request(std::nullopt, *first.items.front().request) == line);
 }
 
-void check_answerable(const Incoming& incoming) {
+void check_response(const Incoming& incoming) {
   RC_ASSERT(!incoming.items.empty());
   RC_ASSERT(incoming.items.size() <= kMaxBatch);
   for (const Item& item : incoming.items) {
@@ -41,9 +41,9 @@ void check_answerable(const Incoming& incoming) {
     RC_ASSERT(!error.message.empty());
     RC_ASSERT(error.message.size() < 600u);
     const std::string line = encode_error(item.id.value_or(Id{}), error);
-    const auto answer = decode_messages(line);
-    RC_ASSERT(answer.has_value());
-    const Reply& reply = std::get<Reply>(answer->at(0));
+    const auto responses = decode_messages(line);
+    RC_ASSERT(responses.has_value());
+    const Reply& reply = std::get<Reply>(responses->at(0));
     RC_ASSERT(!reply.result.has_value());
     // Compared as text: a double with an integral value comes back as an integer.
     RC_ASSERT(encode_error(reply.id, reply.result.error()) == line);
@@ -51,7 +51,7 @@ void check_answerable(const Incoming& incoming) {
 }
 
 RC_GTEST_PROP(Laws, ArbitraryBytesAreAnswered, (const std::string& bytes)) {
-  check_answerable(decode_line(bytes));
+  check_response(decode_line(bytes));
 }
 
 RC_GTEST_PROP(Laws, ADamagedRequestIsAnswered, ()) {
@@ -71,7 +71,7 @@ RC_GTEST_PROP(Laws, ADamagedRequestIsAnswered, ()) {
                             "{", "}", "[", "]", "\"", ",", ":", "1e308", "-", "null", "\\u0000"}));
     }
   }
-  check_answerable(decode_line(line));
+  check_response(decode_line(line));
 }
 
 /// A random JSON value of limited depth.
@@ -107,7 +107,7 @@ RC_GTEST_PROP(Laws, AnyValueForAnyParameterIsAnswered, ()) {
                            R"(","params":)" + params + "}}";
   const Incoming incoming = decode_line(line);
   RC_ASSERT(incoming.items.front().method == method);
-  check_answerable(incoming);
+  check_response(incoming);
 }
 
 }  // namespace

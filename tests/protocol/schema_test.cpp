@@ -69,7 +69,7 @@ TEST(Schema, EachMethodHasItsErrors) {
   }
 }
 
-TEST(Schema, ParametersAreThoseThatDecodingKnows) {
+TEST(Schema, ParametersAreThoseOfTheDecoder) {
   const std::vector<std::string> pulse = parameter_names(*method_named("effect.pulse"));
   for (const std::string name :
        {"direction",   "level",        "current_a",   "force_n",     "gain",         "frame",
@@ -90,7 +90,7 @@ TEST(Schema, NoTwoDefinitionsHaveOneName) {
   EXPECT_GT(names.size(), 20u);
 }
 
-TEST(Schema, TellsRightFromWrong) {
+TEST(Schema, AcceptsValidAndRejectsInvalid) {
   const Json messages = messages_schema();
   const auto broken = [&](const std::string& name, std::string_view text) {
     return violation(messages, name, *parse_json(text, 64));

@@ -16,7 +16,7 @@ constexpr double kForceJnd = 1.13;
 constexpr double kFelt = 2.1;
 constexpr double kFull = 15.0;
 
-TEST(Steps, AreToldApartByPeopleAtFullStrengthAndTurnedDown) {
+TEST(Steps, AreDistinguishableAtFullAndReducedStrength) {
   for (const double gain : {1.0, Gain::kMin}) {
     EXPECT_DOUBLE_EQ(strength_of(0, kFelt, gain * kFull), kFelt);
     EXPECT_DOUBLE_EQ(strength_of(kSteps - 1, kFelt, gain * kFull), gain * kFull);
@@ -37,19 +37,19 @@ TEST(Steps, CoverTheImpulsesInEqualRatios) {
   EXPECT_EQ(step_of(std::sqrt(kMinHitImpulse * kMaxHitImpulse) * 1.01), kSteps / 2);
 }
 
-RC_GTEST_PROP(Steps, NeverFallWithAHarderBlow, ()) {
+RC_GTEST_PROP(Steps, NeverFallWithAHarderImpact, ()) {
   const double a = *rc::gen::inRange(0, 20'000);
   const double b = a + *rc::gen::inRange(0, 20'000);
   RC_ASSERT(step_of(a) <= step_of(b));
 }
 
-RC_GTEST_PROP(Steps, AreNeverWeakerForMoreHoweverLittleTheBallMayDo, ()) {
+RC_GTEST_PROP(Steps, AreMonotonicAtAnyGain, ()) {
   const double full = 0.001 * *rc::gen::inRange(1, 15'001) * 0.01 * *rc::gen::inRange(40, 101);
-  double blow = 0.0;
+  double previous = 0.0;
   for (int step = 0; step < kSteps; ++step) {
     const double now = strength_of(step, kFelt, full);
-    RC_ASSERT(now >= blow);
-    blow = now;
+    RC_ASSERT(now >= previous);
+    previous = now;
   }
   double skid = kFelt;
   for (int tenth = 0; tenth <= 10; ++tenth) {
@@ -59,7 +59,7 @@ RC_GTEST_PROP(Steps, AreNeverWeakerForMoreHoweverLittleTheBallMayDo, ()) {
   }
 }
 
-TEST(PulseGate, LetsOneThroughInAQuarterSecondUnlessAHarderComes) {
+TEST(PulseGate, PassesOnePerQuarterSecondUnlessAHarderOneFollows) {
   PulseGate gate;
   EXPECT_TRUE(gate.passes(3, 10.0));
   EXPECT_FALSE(gate.passes(3, 10.1));
@@ -78,7 +78,7 @@ RC_GTEST_PROP(PulseGate, NeverFiresFasterThanFourTimesASecondAndTheSteps, ()) {
   RC_ASSERT(through <= 40 + 10 * kSteps);
 }
 
-TEST(GainRule, IsFullWhileTheBallHasTimeInHand) {
+TEST(GainRule, IsFullWhileTheBallHasAReserve) {
   Gain gain;
   for (int i = 0; i < 100; ++i)
     gain.take(false, i % 2 == 0 ? std::nullopt : std::optional(8.0), 0.1);
@@ -125,7 +125,7 @@ TEST(TiltRule, HasADeadZoneAndAnEnd) {
   EXPECT_NEAR(tilt.controls(model::axis_angle({1, 0, 0}, 80)).steer, 1.0, 1e-9);
 }
 
-TEST(TiltRule, IsCountedFromHowTheBallIsHeldWhicheverWayThePersonFaces) {
+TEST(TiltRule, IsRelativeToTheInitialPoseForAnyHeading) {
   for (const double yaw : {0.0, 77.0, -160.0}) {
     const model::Quaternion turned = model::axis_angle({0, 0, 1}, yaw);
     const model::Quaternion held = turned * model::axis_angle({0, 1, 0}, -25);
@@ -138,7 +138,7 @@ TEST(TiltRule, IsCountedFromHowTheBallIsHeldWhicheverWayThePersonFaces) {
   }
 }
 
-TEST(Told, EveryHappeningIsOneJsonObject) {
+TEST(ReportedEvents, AreOneJsonObjectEach) {
   EXPECT_EQ(to_json(Hit{{0.6, -0.8, 0}, 812.5}, 2.5),
             R"({"time_s":2.5,"type":"hit","direction":[0.6,-0.8,0],"impulse_n_s":812.5})");
   EXPECT_EQ(to_json(Skid{0.25}, 1), R"({"time_s":1,"type":"skid","amount":0.25})");
@@ -148,14 +148,14 @@ TEST(Told, EveryHappeningIsOneJsonObject) {
   EXPECT_EQ(to_json(Reset{}, 3), R"({"time_s":3,"type":"reset"})");
 }
 
-TEST(Told, SidesAreNamedByEighths) {
+TEST(ReportedEvents, SidesAreNamedByEighths) {
   EXPECT_EQ(side_of({1, 0.1, 0}), "front");
   EXPECT_EQ(side_of({0.7, 0.7, 0}), "front left");
   EXPECT_EQ(side_of({-0.7, -0.7, 0.2}), "back right");
   EXPECT_EQ(side_of({0.1, 0, 1}), "roof");
 }
 
-TEST(Told, WhatLastsIsToldWhenItIsOver) {
+TEST(ReportedEvents, OfADurationAreReportedAtItsEnd) {
   RaceEventLog log;
   EXPECT_TRUE(log.lines({Skid{0.3}}, 1.0).empty());
   EXPECT_TRUE(log.lines({Skid{0.6}}, 1.5).empty());

@@ -13,11 +13,11 @@
 namespace hedgehog::racer {
 namespace {
 
-TEST(HostCheck, KnowsItsOwnNames) {
+TEST(HostCheck, AcceptsItsOwnNames) {
   const HostCheck host_check{"127.0.0.1", 7585};
-  for (const char* ours : {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585",
-                           "127.9.9.9:7585", "127.0.0.1:17585", "localhost"})
-    EXPECT_TRUE(host_check.is_own_host(ours)) << ours;
+  for (const char* own_host : {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585",
+                               "127.9.9.9:7585", "127.0.0.1:17585", "localhost"})
+    EXPECT_TRUE(host_check.is_own_host(own_host)) << own_host;
   for (const char* foreign :
        {"", ":7585", "127.0.0.1:758500", "example.com:7585", "127.0.0.1.example.com:7585",
         "localhost.example:7585", "192.168.1.5:7585", "[::2]:7585", "127.1:7585",
@@ -35,7 +35,7 @@ TEST(HostCheck, KnowsItsOwnNames) {
     EXPECT_FALSE(host_check.may_connect("localhost:7585", origin)) << origin;
 }
 
-TEST(ListenAt, TakesAnAddressWithAPort) {
+TEST(ListenAt, AcceptsAnAddressWithAPort) {
   EXPECT_EQ(listen_at("127.0.0.1:0").value().port, 0);
   EXPECT_EQ(listen_at("[::1]:7585").value().address, "::1");
   for (const char* text : {"", "7585", ":7585", "127.0.0.1", "127.0.0.1:", "127.0.0.1:70000",
@@ -43,7 +43,7 @@ TEST(ListenAt, TakesAnAddressWithAPort) {
     EXPECT_FALSE(listen_at(text)) << text;
 }
 
-TEST(PageMessages, AreTakenOrRefusedWithASentence) {
+TEST(PageMessages, AreAcceptedOrRefusedWithASentence) {
   const auto keys =
       std::get<KeysHeld>(page_message(R"({"type":"keys","steer":-0.5,"throttle":1,"brake":0})"));
   EXPECT_EQ(keys.controls, (Controls{-0.5, 1.0, 0.0}));

@@ -14,7 +14,7 @@
 namespace hedgehog::racer {
 namespace {
 
-TEST(Car, GoesWhereItIsSteered) {
+TEST(Car, FollowsItsSteering) {
   for (const double steer : {-0.3, 0.3}) {
     Race race(open_ground());
     drive<Hit>(race, 3.0, {.steer = steer, .throttle = 0.5});
@@ -34,7 +34,7 @@ TEST(Car, BrakesAndThenReverses) {
   EXPECT_LT(race.scene().speed_mps, -1.0);
 }
 
-TEST(Car, TakesControlsBeyondTheirRangesAsTheNearestAllowed) {
+TEST(Car, ClampsControlsToTheirRanges) {
   Race race(open_ground());
   race.step({.steer = -7, .throttle = 2, .brake = -1});
   EXPECT_EQ(race.scene().controls, (Controls{.steer = -1, .throttle = 1, .brake = 0}));
@@ -43,20 +43,20 @@ TEST(Car, TakesControlsBeyondTheirRangesAsTheNearestAllowed) {
 }
 
 /// Accelerates straight ahead, then coasts into a gentle bend; returns the largest skid.
-double most_skid(const Track& track) {
+double max_skid(const Track& track) {
   Race race(track);
   drive<Skid>(race, 3.0, {.throttle = 1.0});
-  double most = 0.0;
+  double max_amount = 0.0;
   for (const auto& skid : drive<Skid>(race, 1.0, {.steer = 0.15}))
-    most = std::max(most, skid.what.amount);
-  return most;
+    max_amount = std::max(max_amount, skid.what.amount);
+  return max_amount;
 }
 
 TEST(Car, SkidsOnASlipperyPatchMoreThanOnTheDryRoad) {
-  Track icy = open_ground();
-  icy.patches.push_back({flat_pose(30, 0, 0, 0), 60, 40, 0.1});
-  EXPECT_LT(most_skid(open_ground()), 0.2);
-  EXPECT_GT(most_skid(icy), 0.4);
+  Track slippery = open_ground();
+  slippery.patches.push_back({flat_pose(30, 0, 0, 0), 60, 40, 0.1});
+  EXPECT_LT(max_skid(open_ground()), 0.2);
+  EXPECT_GT(max_skid(slippery), 0.4);
 }
 
 TEST(Car, FliesOverARampAndLandsHarderFromAHigherOne) {
@@ -79,7 +79,7 @@ Track corkscrew() {
   return track;
 }
 
-TEST(Car, TurnsOverWithTheGroundGoingRound) {
+TEST(Car, TurnsOverWithARotatingGroundDirection) {
   Race race(corkscrew());
   const auto tumbles = drive<Tumble>(race, 6.0, {.throttle = 1.0});
   ASSERT_FALSE(tumbles.empty());
@@ -94,7 +94,7 @@ TEST(Car, TurnsOverWithTheGroundGoingRound) {
   EXPECT_GT(farthest, 85.0);
 }
 
-TEST(Car, ThatLiesOnItsRoofIsPutBack) {
+TEST(Car, ThatLiesOnItsRoofIsReset) {
   Track track = open_ground();
   track.start.position.z = 0.5;
   track.start.orientation = model::axis_angle({1, 0, 0}, 180);
@@ -104,72 +104,72 @@ TEST(Car, ThatLiesOnItsRoofIsPutBack) {
   EXPECT_FALSE(drive<Reset>(race, 5.0, {}).empty());
 }
 
-TEST(Car, ThatIsPutBackStandsOnTheRoadBeforeTheJumpAndWhatIsInTheWay) {
+TEST(Car, IsResetOntoTheRoadBeforeRampsAndObstacles) {
   const Track home = home_track();
   const Pose jump = home.ramps.front().pose;
-  Track on_the_jump = home;
-  on_the_jump.start = {jump.position + rotate(jump.orientation, {4, 0, 1}), jump.orientation};
-  Track in_a_crate = home;
-  in_a_crate.start = home.obstacles.front().pose;
-  in_a_crate.start.position.z = 2.0;
-  for (const Track& track : {on_the_jump, in_a_crate}) {
+  Track at_ramp = home;
+  at_ramp.start = {jump.position + rotate(jump.orientation, {4, 0, 1}), jump.orientation};
+  Track at_obstacle = home;
+  at_obstacle.start = home.obstacles.front().pose;
+  at_obstacle.start.position.z = 2.0;
+  for (const Track& track : {at_ramp, at_obstacle}) {
     Race race(track);
     race.recover();
     EXPECT_NEAR(race.scene().car.position.z, kCarStandsAt, 1e-6);
-    const Vec3 stood = race.scene().car.position;
+    const Vec3 reset_to = race.scene().car.position;
     EXPECT_TRUE(drive<Hit>(race, 1.0, {}).empty());
     EXPECT_NEAR(race.scene().car.position.z, kCarStandsAt, 0.05);
-    EXPECT_LT(norm(race.scene().car.position - stood), 0.2);
-    EXPECT_LT(norm(stood - track.start.position), 15.0);
+    EXPECT_LT(norm(race.scene().car.position - reset_to), 0.2);
+    EXPECT_LT(norm(reset_to - track.start.position), 15.0);
   }
 }
 
-struct Lived {
+struct Recorded {
   std::vector<std::pair<double, RaceEvent>> race_events;
   Scene end;
-  friend bool operator==(const Lived&, const Lived&) = default;
+  friend bool operator==(const Recorded&, const Recorded&) = default;
 };
 
-Lived live(Race& race, double seconds) {
-  Lived lived;
+Recorded record(Race& race, double seconds) {
+  Recorded recorded;
   Driver driver;
   while (race.scene().time_s < seconds) {
     race.step(driver.drive(race.scene(), race.track()));
     for (const RaceEvent& race_event : race.race_events())
       if (!std::holds_alternative<Reset>(race_event))
-        lived.race_events.emplace_back(race.scene().time_s, race_event);
+        recorded.race_events.emplace_back(race.scene().time_s, race_event);
   }
-  lived.end = race.scene();
-  return lived;
+  recorded.end = race.scene();
+  return recorded;
 }
 
 template <class What>
-std::vector<What> all(const Lived& lived) {
+std::vector<What> all(const Recorded& recorded) {
   std::vector<What> found;
-  for (const auto& [time_s, race_event] : lived.race_events)
+  for (const auto& [time_s, race_event] : recorded.race_events)
     if (const auto* what = std::get_if<What>(&race_event)) found.push_back(*what);
   return found;
 }
 
-TEST(TheDriver, LivesTheSameEveryTimeBitForBit) {
+TEST(TheDriver, DrivesTheSameEveryTimeBitForBit) {
   Race race(home_track());
-  const Lived first = live(race, 40.0);
+  const Recorded first = record(race, 40.0);
   EXPECT_GT(first.race_events.size(), 100U);
   Race other(home_track());
-  EXPECT_EQ(live(other, 40.0), first);
+  EXPECT_EQ(record(other, 40.0), first);
 }
 
-TEST(TheDriver, FinishesFourLapsInTwoMinutesAndFeelsEverything) {
+TEST(TheDriver, FinishesFourLapsInTwoMinutesWithEveryEvent) {
   Race race(home_track());
-  const Lived lived = live(race, 120.0);
-  EXPECT_EQ(all<LapDone>(lived).size(), 4U);
-  EXPECT_GE(all<Landing>(lived).size(), 4U);
-  EXPECT_GT(all<Skid>(lived).size(), 300U);
+  const Recorded recorded = record(race, 120.0);
+  EXPECT_EQ(all<LapDone>(recorded).size(), 4U);
+  EXPECT_GE(all<Landing>(recorded).size(), 4U);
+  EXPECT_GT(all<Skid>(recorded).size(), 300U);
   int left = 0;
   int right = 0;
   int front = 0;
   int back = 0;
-  for (const Hit& hit : all<Hit>(lived)) {
+  for (const Hit& hit : all<Hit>(recorded)) {
     left += hit.direction.y > 0.5 ? 1 : 0;
     right += hit.direction.y < -0.5 ? 1 : 0;
     front += hit.direction.x > 0.9 ? 1 : 0;
@@ -179,8 +179,8 @@ TEST(TheDriver, FinishesFourLapsInTwoMinutesAndFeelsEverything) {
   EXPECT_GE(right, 4);
   EXPECT_GE(front, 2);
   EXPECT_GE(back, 2);
-  EXPECT_EQ(lived.end.lap, 5);
-  EXPECT_LT(lived.end.best_lap_s.value_or(99), 30.0);
+  EXPECT_EQ(recorded.end.lap, 5);
+  EXPECT_LT(recorded.end.best_lap_s.value_or(99), 30.0);
 }
 
 TEST(TheDriver, BacksOutOfAWall) {
@@ -189,11 +189,11 @@ TEST(TheDriver, BacksOutOfAWall) {
   track.start.orientation = model::axis_angle({0, 0, 1}, 90);
   track.start.position.y += 3.0;
   Race race(track);
-  const Lived lived = live(race, 45.0);
-  EXPECT_EQ(all<LapDone>(lived).size(), 1U);
+  const Recorded recorded = record(race, 45.0);
+  EXPECT_EQ(all<LapDone>(recorded).size(), 1U);
 }
 
-TEST(Lap, IsTheWholeWayRoundWithoutShortCuts) {
+TEST(Lap, IsAFullRoundWithoutShortCuts) {
   const std::vector<Vec3> centre = home_track().centre;
   Laps round;
   Laps across;
@@ -235,7 +235,7 @@ TEST(Lap, IsNotDrivenBackwards) {
   EXPECT_EQ(race.scene().lap, 1);
 }
 
-TEST(Lap, IsTimedFromWhenSomebodyBeginsToDrive) {
+TEST(Lap, IsTimedFromTheFirstMovement) {
   Race race(home_track());
   drive<LapDone>(race, 3.0, {});
   EXPECT_EQ(race.scene().lap_time_s, 0.0);
@@ -245,7 +245,7 @@ TEST(Lap, IsTimedFromWhenSomebodyBeginsToDrive) {
   EXPECT_NEAR(race.scene().lap_time_s, 2.0, 0.05) << "letting go does not stop the clock";
 }
 
-TEST(BestLap, IsThePlayersOwn) {
+TEST(BestLap, IsThatOfThePlayer) {
   BestLap best;
   best.drive(true);
   EXPECT_TRUE(best.by_driver());

@@ -22,16 +22,16 @@ TEST_P(ThrownAtTheCar, IsFeltOnThatSide) {
   ASSERT_FALSE(hits.empty());
   EXPECT_LT(angle_deg(hits.front().what.direction, towards(azimuth_deg)), 20.0);
   // A central inelastic impact transfers m1 m2 / (m1 + m2) v; one that turns the car, less.
-  const double most = 100.0 * kCarMassKg / (100.0 + kCarMassKg) * 12.0;
-  EXPECT_GT(hits.front().what.impulse_n_s, 0.3 * most);
-  EXPECT_LT(hits.front().what.impulse_n_s, 1.3 * most);
+  const double max_impulse = 100.0 * kCarMassKg / (100.0 + kCarMassKg) * 12.0;
+  EXPECT_GT(hits.front().what.impulse_n_s, 0.3 * max_impulse);
+  EXPECT_LT(hits.front().what.impulse_n_s, 1.3 * max_impulse);
 }
 
 INSTANTIATE_TEST_SUITE_P(Eighths, ThrownAtTheCar, testing::Range(0, 8), [](const auto& eighth) {
   return std::to_string(45 * eighth.param) + "_deg";
 });
 
-TEST(Where, ACornerIs45DegreesAndWhatFallsOnTheRoofIsUp) {
+TEST(Where, ACornerIs45DegreesAndAnImpactOnTheRoofIsUp) {
   const auto felt = [](const Vec3& point, const Vec3& surface) {
     return felt_direction({.body = 0, .point = point, .towards = surface, .impulse = 1.0});
   };
@@ -44,24 +44,24 @@ TEST(Where, ACornerIs45DegreesAndWhatFallsOnTheRoofIsUp) {
   EXPECT_NEAR(norm(felt({1, 0.5, 0}, {0.6, 0, 0.8})), 1.0, 1e-9);
 }
 
-TEST(Blow, IsToldAgainOnlyWhenTheContactEndedOrItIsMuchHarderOrOnAnotherSide) {
-  const auto touch = [](double impulse, const Vec3& surface) {
+TEST(Impact, IsReportedAgainOnlyAfterTheContactOrMuchHarderOrOnAnotherSide) {
+  const auto contact = [](double impulse, const Vec3& surface) {
     return std::vector<Contact>{
         {.body = Contact::kWalls, .point = surface, .towards = surface, .impulse = impulse}};
   };
   const Vec3 left{0, 1, 0};
   Impacts impacts;
-  EXPECT_EQ(impacts.take(touch(500, left), 1.0).size(), 1U);
+  EXPECT_EQ(impacts.take(contact(500, left), 1.0).size(), 1U);
   for (int step = 1; step < 60; ++step)
-    EXPECT_TRUE(impacts.take(touch(400, left), 1.0 + step / 60.0).empty()) << step;
-  EXPECT_EQ(impacts.take(touch(1100, left), 2.0).size(), 1U);
-  EXPECT_EQ(impacts.take(touch(500, {1, 0, 0}), 2.2).size(), 1U);
-  EXPECT_TRUE(impacts.take(touch(500, {1, 0, 0}), 2.4).empty());
-  EXPECT_EQ(impacts.take(touch(500, {1, 0, 0}), 2.7).size(), 1U);
-  EXPECT_TRUE(impacts.take(touch(Impacts::kMinImpulse - 1, {1, 0, 0}), 5.0).empty());
+    EXPECT_TRUE(impacts.take(contact(400, left), 1.0 + step / 60.0).empty()) << step;
+  EXPECT_EQ(impacts.take(contact(1100, left), 2.0).size(), 1U);
+  EXPECT_EQ(impacts.take(contact(500, {1, 0, 0}), 2.2).size(), 1U);
+  EXPECT_TRUE(impacts.take(contact(500, {1, 0, 0}), 2.4).empty());
+  EXPECT_EQ(impacts.take(contact(500, {1, 0, 0}), 2.7).size(), 1U);
+  EXPECT_TRUE(impacts.take(contact(Impacts::kMinImpulse - 1, {1, 0, 0}), 5.0).empty());
 }
 
-TEST(Blow, GrowsWithTheSpeedAndTheMassOfWhatIsThrown) {
+TEST(Impact, GrowsWithTheSpeedAndTheMassOfTheObject) {
   double before = 0.0;
   for (const auto& [mass_kg, speed_mps] : {std::pair{50.0, 8.0}, {50.0, 16.0}, {150.0, 16.0}}) {
     Race race(ball_thrown_from(90.0, mass_kg, speed_mps));
@@ -72,7 +72,7 @@ TEST(Blow, GrowsWithTheSpeedAndTheMassOfWhatIsThrown) {
   }
 }
 
-TEST(Blow, ACarThatStandsFeelsNothing) {
+TEST(Impact, AStandingCarHasNone) {
   Race race(open_ground());
   for (int i = 0; i < 120; ++i) {
     race.step({});
@@ -81,7 +81,7 @@ TEST(Blow, ACarThatStandsFeelsNothing) {
   EXPECT_NEAR(race.scene().car.position.z, kCarStandsAt, 0.02);
 }
 
-TEST(Blow, AWallIsHitOnceAndScrapedAlongInSilence) {
+TEST(Impact, AWallIsHitOnceAndScrapingIsNotReported) {
   // A long wall on the left, and the car is steered into it all the time.
   Track track = open_ground();
   track.walls.push_back({flat_pose(100, 3, 0.5, 0), {110, 0.25, 0.5}});

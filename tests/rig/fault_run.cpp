@@ -70,8 +70,8 @@ FaultResult run_thermal_ball(const ThermalFault& fault, const ThermalBallOptions
       broken = true;
     }
     if (fault.play) {
-      const RandomPlay::Asked asked = play.at(i * ThermalBall::kStepS);
-      ball.step(asked.peak_a, asked.rms);
+      const RandomPlay::RequestedCurrents requested = play.at(i * ThermalBall::kStepS);
+      ball.step(requested.peak_a, requested.rms);
     } else {
       ball.step(held);
     }

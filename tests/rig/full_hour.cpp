@@ -24,25 +24,25 @@ struct Client {
 
 /// Starts, updates, replaces or stops an effect; returns 1 for a start.
 std::uint64_t act(Rig& rig, Client& client, model::RandomStream& random) {
-  const std::uint64_t dice = random.bits() % 8;
+  const std::uint64_t choice = random.bits() % 8;
   const double pause_s = exponential(random, client.temper.mean_pause_s);
   client.next = rig.now() + 1 + static_cast<Tick>(1000.0 * pause_s);
   if (rig.playing(client.effect)) {
-    if (dice == 0) {
+    if (choice == 0) {
       rig.stop(client.effect, control::EndReason::kDisconnected);
       return 0;
     }
-    if (dice == 1) {
+    if (choice == 1) {
       rig.stop(client.effect);
       return 0;
     }
-    if (dice <= 4) {
+    if (choice <= 4) {
       client.spec.strength_a = random.uniform(0.0, 15.0);
       rig.update(client.effect, client.spec);
       return 0;
     }
   }
-  const EffectId replaces = dice == 5 && rig.playing(client.effect) ? client.effect : 0;
+  const EffectId replaces = choice == 5 && rig.playing(client.effect) ? client.effect : 0;
   client.spec = random_effect(random, client.temper);
   const EffectId started = rig.start(client.spec, replaces);
   if (started == 0) return 0;
@@ -83,7 +83,7 @@ HourResult full_hour(std::uint64_t seed, double seconds, const device::FrontEndC
     for (Client& client : clients)
       if (rig.now() >= client.next) result.effects += act(rig, client, random);
     rig.tick();
-    if (i % 4096 == 0) rig.forget_events();
+    if (i % 4096 == 0) rig.clear_events();
     if (rig.controller().derating()) ++derated;
     result.hottest_c = std::max(result.hottest_c, rig.plant().hottest_winding_c());
     const std::string skin =

@@ -12,7 +12,7 @@ namespace hedgehog::rig {
 class RandomPlay {
  public:
   /// The sum of all peaks, and the largest ratio of rms to peak.
-  struct Asked {
+  struct RequestedCurrents {
     model::Vec3 peak_a;
     double rms = 0.0;
   };
@@ -22,15 +22,15 @@ class RandomPlay {
     for (Player& player : players_) player.temper = Temper::draw(random_);
   }
 
-  Asked at(double now_s) {
-    Asked asked;
+  RequestedCurrents at(double now_s) {
+    RequestedCurrents requested;
     for (Player& player : players_) {
       if (now_s >= player.until_s) turn(player, now_s);
       if (!player.playing) continue;
-      asked.peak_a = asked.peak_a + player.peak_a;
-      asked.rms = std::max(asked.rms, player.rms);
+      requested.peak_a = requested.peak_a + player.peak_a;
+      requested.rms = std::max(requested.rms, player.rms);
     }
-    return asked;
+    return requested;
   }
 
   std::uint64_t effects() const noexcept { return effects_; }

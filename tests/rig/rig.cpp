@@ -113,8 +113,8 @@ void Rig::step_link_and_board() {
   if (frames.other) board_.receive(*frames.other);
   auto telemetry = board_.step();
   if (telemetry && first_protocol_) telemetry = of_first_protocol(*telemetry);
-  if (lose_ > 0) {
-    --lose_;
+  if (dropped_frames_ > 0) {
+    --dropped_frames_;
   } else if (telemetry && std::exchange(delay_, false)) {
     delayed_ = telemetry;
   } else if (telemetry) {

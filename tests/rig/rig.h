@@ -45,10 +45,10 @@ class Rig {
   void tick();
   void run(model::Tick ticks);
   void run_s(double seconds) { run(std::llround(seconds * 1000.0)); }
-  /// Ticks until `done()`, at most `most` times. False when it did not become true.
+  /// Ticks until `done()`, at most `max_ticks` times. False when it did not become true.
   template <class Done>
-  bool run_until(Done done, model::Tick most) {
-    for (model::Tick i = 0; i < most; ++i) {
+  bool run_until(Done done, model::Tick max_ticks) {
+    for (model::Tick i = 0; i < max_ticks; ++i) {
       if (done()) return true;
       tick();
     }
@@ -76,14 +76,14 @@ class Rig {
   void set_faults(std::uint16_t faults, int coil = 0);
   void set_ambient(double ambient_c);
   /// The next `frames` telemetry frames are lost in transfer.
-  void lose_telemetry(int frames) noexcept { lose_ = frames; }
+  void drop_telemetry(int frames) noexcept { dropped_frames_ = frames; }
   /// The next telemetry frame arrives a tick late, together with the one after it.
   void delay_telemetry() noexcept { delay_ = true; }
   /// Sets the orientation, renewed each tick with a new time stamp while `live`.
   void orient(const model::Quaternion& device_to_world, bool live = true) noexcept;
 
   /// Sets the second thermometer's reading.
-  void say_thermometer(double celsius) noexcept {
+  void set_thermometer(double celsius) noexcept {
     inputs_.thermometer = {true, celsius, inputs_.tick};
   }
 
@@ -99,9 +99,9 @@ class Rig {
   /// |I| in the windings, true value.
   double current_a() const noexcept { return norm(board_.plant().current_a()); }
 
-  /// All events since the start, or since `forget_events`.
+  /// All events since the start, or since `clear_events`.
   const std::vector<control::Event>& events() const noexcept { return log_; }
-  void forget_events() noexcept { log_.clear(); }
+  void clear_events() noexcept { log_.clear(); }
   int count(control::EventType type) const noexcept;
   const control::Event* last(control::EventType type) const noexcept;
 
@@ -126,7 +126,7 @@ class Rig {
   std::uint64_t seq_ = 0;
   std::uint64_t telemetry_count_ = 0;
   std::uint32_t skipped_ = 0;
-  int lose_ = 0;
+  int dropped_frames_ = 0;
   bool delay_ = false;
   std::optional<device::Frame> delayed_;
   bool first_protocol_ = false;

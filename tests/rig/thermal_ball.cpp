@@ -85,8 +85,8 @@ void ThermalBall::step(const Vec3& peak_a, double rms) noexcept {
   bool any = false;
   for (int coil = 0; coil < kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);
-    const double wanted_a = rms * passed[coil];
-    duty[coil] = observer_.estimate().resistance_ohm[i] * wanted_a / supply_read_v;
+    const double requested_a = rms * passed[coil];
+    duty[coil] = observer_.estimate().resistance_ohm[i] * requested_a / supply_read_v;
     current_a_[coil] = duty[coil] * supply_v / plant_.resistance_ohm(coil);
     squares[coil] = current_a_[coil] * current_a_[coil];
     drawn_a += duty[coil] * current_a_[coil];
@@ -96,7 +96,7 @@ void ThermalBall::step(const Vec3& peak_a, double rms) noexcept {
     const double shown_a = rounded(now.current_gain[i] * current_a_[coil] + disturbed_a, 1e-3);
     m.current_a[coil] = shown_a;
     m.voltage_v[coil] = duty[coil] * supply_read_v;
-    any |= wanted_a != 0.0;
+    any |= requested_a != 0.0;
   }
   m.supply_v = supply_read_v;
   m.electrical_valid = any;
@@ -118,11 +118,11 @@ void ThermalBall::step(const Vec3& peak_a, double rms) noexcept {
   m.fan_running = fan_check_.cooling();
   const double supply_a = now.shunt_gain * drawn_a + now.shunt_offset_a +
                           now.shunt_noise_a / kAveraged * random_.gaussian();
-  judge(m, duty, supply_a, supply_read_v, fan_check_.step(fan_duty_, rpm, kStepS));
+  run_checks(m, duty, supply_a, supply_read_v, fan_check_.step(fan_duty_, rpm, kStepS));
 }
 
-void ThermalBall::judge(const model::ThermalMeasurement& m, const Vec3& duty,
-                        double supply_current_a, double supply_v, Reason fan) noexcept {
+void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& duty,
+                             double supply_current_a, double supply_v, Reason fan) noexcept {
   const auto own = static_cast<std::size_t>(thermal_.sensor_winding);
   control::SensorReading reading;
   reading.fresh = true;

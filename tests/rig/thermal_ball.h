@@ -71,8 +71,8 @@ class ThermalBall {
 
  private:
   model::ThermistorReadings read_thermistors() noexcept;
-  void judge(const model::ThermalMeasurement& measurement, const model::Vec3& duty,
-             double supply_current_a, double supply_v, control::Reason fan) noexcept;
+  void run_checks(const model::ThermalMeasurement& measurement, const model::Vec3& duty,
+                  double supply_current_a, double supply_v, control::Reason fan) noexcept;
 
   model::CoilModel coils_;
   model::ThermalModel thermal_;

@@ -29,8 +29,9 @@ HourResult play(ThermalBallOptions options, std::uint64_t seed, double seconds, 
   std::uint64_t reduced = 0;
   std::uint64_t steps = 0;
   while (static_cast<double>(steps) * ThermalBall::kStepS < seconds && !ball.stop().any()) {
-    const RandomPlay::Asked asked = play.at(static_cast<double>(steps) * ThermalBall::kStepS);
-    ball.step(asked.peak_a, asked.rms);
+    const RandomPlay::RequestedCurrents requested =
+        play.at(static_cast<double>(steps) * ThermalBall::kStepS);
+    ball.step(requested.peak_a, requested.rms);
     if (ball.reduced()) ++reduced;
     result.hottest_c = std::max(result.hottest_c, ball.plant().hottest_winding_c());
     ++steps;

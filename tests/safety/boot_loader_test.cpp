@@ -20,10 +20,10 @@ struct BootLoader : testing::Test {
   }
 };
 
-TEST_F(BootLoader, ADisarmedBoardIsGoneWithoutATripAndComesBackDisarmed) {
+TEST_F(BootLoader, ADisarmedBoardDisappearsWithoutATripAndReturnsDisarmed) {
   rig.emergency_stop();
   rig.run(100);
-  rig.forget_events();
+  rig.clear_events();
   rig.command(EnterBootLoader{});
   rig.run(200);
   EXPECT_EQ(state(), "absent boot_loader");
@@ -40,7 +40,7 @@ TEST_F(BootLoader, ADisarmedBoardIsGoneWithoutATripAndComesBackDisarmed) {
   EXPECT_NEAR(rig.current_a(), 5.0, 0.05);
 }
 
-TEST_F(BootLoader, AnArmedBallStaysAndPlaysOn) {
+TEST_F(BootLoader, AnArmedBallStaysAndContinuesPlaying) {
   rig.start(rig::hold({1, 0, 0}, 5.0));
   rig.run(100);
   rig.command(EnterBootLoader{});
@@ -57,7 +57,7 @@ TEST_F(BootLoader, AnArmedBallThatPlaysNothingStaysToo) {
   EXPECT_EQ(state(), "armed none");
 }
 
-TEST_F(BootLoader, OfAnArmingAndThisInOneTickTheFirstCounts) {
+TEST_F(BootLoader, OfAnArmingAndThisInOneTickTheFirstIsApplied) {
   for (const bool arm_first : {true, false}) {
     rig.emergency_stop();
     rig.run(100);

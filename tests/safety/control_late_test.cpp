@@ -19,7 +19,7 @@ TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
   rig.skip_control(kDecay);
   EXPECT_LT(rig.current_a(), kZeroA);
   // It resumes with one tick, not with a burst, and reports the skipped ticks.
-  rig.forget_events();
+  rig.clear_events();
   rig.tick();
   EXPECT_EQ(rig.last_inputs().skipped, 20u + kDecay);
   ASSERT_EQ(rig.count(EventType::kOverrun), 1);
@@ -30,7 +30,7 @@ TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
 }
 
 // The link runs in every tenth tick only; its repeated set-points reset the dead-man meanwhile.
-TEST(ControlLate, ALinkThatIsLateTooCountsMillisecondsAndNotItsSteps) {
+TEST(ControlLate, ALinkThatIsLateTooCountsMillisecondsNotSteps) {
   rig::Rig rig;
   hold_five_ampere(rig);
   const auto link_at_the_tenth = [&] {

@@ -103,7 +103,7 @@ const std::array kCases{
 };
 
 /// Each winding alone and all together, from rest to 15 A, both signs, steady and pulsed.
-model::Vec3 asked_at(int step) {
+model::Vec3 requested_at(int step) {
   const int second = step / 50;
   switch (second % 15) {
     case 0:
@@ -226,7 +226,7 @@ TEST(EstimateReference, ItsFiguresAreThoseOfTheTable) {
         if (one.second) errors.error[errors.count++] = *one.second;
         ball.set_errors(errors);
       }
-      ball.step(asked_at(step), step % 300 < 100 ? 0.7 : 1.0);
+      ball.step(requested_at(step), step % 300 < 100 ? 0.7 : 1.0);
       if (step % 5 == 0) sums.add(figures_of(ball));
       if (stopped_at < 0 && ball.stop().any()) stopped_at = step;
     }

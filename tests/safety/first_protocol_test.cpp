@@ -42,7 +42,7 @@ class FirstProtocol : public ::testing::Test {
   double hottest_c = 0.0;
 };
 
-TEST_F(FirstProtocol, KnowsLeast) {
+TEST_F(FirstProtocol, HasTheFewestMeasurements) {
   rig.run(10);
   const device::BoardTelemetry& telemetry = rig.link().report().telemetry;
   EXPECT_EQ(telemetry.protocol_minor, 0);
@@ -58,7 +58,7 @@ TEST_F(FirstProtocol, AHealthyBallPlaysAlongEachWindingWithoutATrip) {
   }
 }
 
-TEST_F(FirstProtocol, FullDemandIsReducedByRuleNotByATrip) {
+TEST_F(FirstProtocol, FullDemandIsReducedByTheLimiterNotByATrip) {
   play(1, 15.0, 90);
   EXPECT_TRUE(armed()) << name(rig.controller().reason());
   EXPECT_LT(hottest_c, 70.0);
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Each, FirstProtocolWinding, testing::Values(0, 1, 2));
 TEST_F(FirstProtocol, ASilentBoardIsAbsentAndSafe) {
   rig.start(rig::hold({1, 0, 0}, 5.0));
   rig.run(100);
-  rig.lose_telemetry(1000);
+  rig.drop_telemetry(1000);
   rig.run(200);
   EXPECT_EQ(name(rig.controller().state()), "absent");
   EXPECT_EQ(name(rig.controller().reason()), "telemetry_lost");

@@ -70,7 +70,7 @@ TEST_P(HardwareFault, IsMadeSafeAndNamed) {
   EXPECT_TRUE(rig.controller().effects_empty());
 }
 
-TEST_P(HardwareFault, ArmingWorksAgainWhenItIsMendedAndCool) {
+TEST_P(HardwareFault, ArmingWorksAgainWhenItIsRepairedAndCool) {
   const Fault& fault = GetParam();
   rig::Rig rig;
   rig.run_until_armed();
@@ -146,7 +146,7 @@ TEST(FanFault, NoTachometerForThreeSecondsTrips) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(FanFault, KeepsABallFromBeingArmedThatWasNeverArmed) {
+TEST(FanFault, BlocksTheFirstArming) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
   options.board.start_c = 45.0;  // so that the fan is required
@@ -166,7 +166,7 @@ TEST(FanFault, KeepsABallFromBeingArmedThatWasNeverArmed) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(UnexpectedCurrent, TripsThoughNothingWasEverAsked) {
+TEST(UnexpectedCurrent, TripsWithoutAnyRequest) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.run(50);
@@ -182,7 +182,7 @@ TEST(UnexpectedCurrent, TripsThoughNothingWasEverAsked) {
   EXPECT_EQ(name(rig.controller().state()), "tripped");
 }
 
-TEST(Arming, ABoardThatKeepsItsLatchIsATripAndSaidToBeOne) {
+TEST(Arming, ABoardThatKeepsItsLatchIsATripAndReportedAsOne) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
   rig::Rig rig(options);
@@ -191,7 +191,7 @@ TEST(Arming, ABoardThatKeepsItsLatchIsATripAndSaidToBeOne) {
   rig.run(100);
   ASSERT_EQ(name(rig.controller().state()), "disarmed");
   EXPECT_EQ(rig.snapshot().last_trip.reason, Reason::kNone);
-  rig.forget_events();
+  rig.clear_events();
   rig.arm();
   rig.run(400);
   expect_tripped(rig, Reason::kBoardSupply);

@@ -14,10 +14,10 @@ using control::Reason;
 /// Holds `current_a` along `axis` until the ball is not armed any more; returns the maximum
 /// temperature.
 double hottest_until_stopped(rig::Rig& rig, const model::Vec3& axis, double current_a,
-                             double most_s) {
+                             double max_s) {
   double hottest = 0.0;
   const auto effect = rig.start(rig::hold(axis, current_a));
-  for (double t = 0.0; t < most_s; t += 1.0) {
+  for (double t = 0.0; t < max_s; t += 1.0) {
     rig.update(effect, rig::hold(axis, current_a));
     for (int i = 0; i < 1000; ++i) {
       rig.tick();
@@ -150,7 +150,7 @@ TEST(BoardsOwnLimits, OverCurrentForFiftyMilliseconds) {
 }
 
 // Limits of an earlier daemon with a tighter configuration: the board keeps them until power-up.
-TEST(BoardsOwnLimits, ThoseOfAnEarlierConfigurationAreKeptTo) {
+TEST(BoardsOwnLimits, OfAnEarlierConfigurationStayInForce) {
   rig::Rig rig;
   rig.board().receive(device::encode_limits({67.0, 5.5, 1.0}, 1));
   rig.run_until_armed();
@@ -177,7 +177,7 @@ TEST(BoardsOwnLimits, ThoseOfAnEarlierConfigurationAreKeptTo) {
   expect_tripped(warm, Reason::kOverheated);
 }
 
-TEST(AbsurdNumber, IsZeroForThatTickAndTold) {
+TEST(ImplausibleNumber, IsZeroForThatTickAndReported) {
   rig::Rig rig;
   hold_five_ampere(rig);
   const auto bad = rig.start(rig::hold({1, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
@@ -191,7 +191,7 @@ TEST(AbsurdNumber, IsZeroForThatTickAndTold) {
   EXPECT_NEAR(rig.current_a(), 5.0, 0.05) << "the other effect never noticed";
 }
 
-TEST(AbsurdNumber, AgainAndAgainTrips) {
+TEST(ImplausibleNumber, RepeatedTrips) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, std::numeric_limits<double>::infinity()));
@@ -230,7 +230,7 @@ TEST(Restart, EachNodeStartsAtTheHotterOfSavedAndSensor) {
 
 // The thermistor is on winding 0 and is cold; only the saved state contains the temperature of
 // winding 1.
-TEST(Restart, HeatOfAWindingThatNeverMeasuredItselfIsRememberedToo) {
+TEST(Restart, HeatOfAWindingThatNeverMeasuredItselfPersistsToo) {
   rig::RigOptions options;
   options.control.start_measured = {};
   options.control.start = {{30.0, 66.0, 30.0}, 30.0};

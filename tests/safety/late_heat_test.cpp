@@ -26,7 +26,7 @@ TEST_P(LateAndHot, TheWatchdogStillTripsAtSeventy) {
   EXPECT_LT(rig.plant().hottest_winding_c(), 70.6);
 }
 
-TEST_P(LateAndHot, WhatIsKnownOfTheBallKeepsUp) {
+TEST_P(LateAndHot, TheEstimateFollowsTheBall) {
   // Tests the timing: with so few readings the noise of a real board would dominate.
   rig::RigOptions options;
   options.board.front_end.kind = device::FrontEndKind::kIdeal;

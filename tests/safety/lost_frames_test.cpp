@@ -11,7 +11,7 @@ using control::Reason;
 
 void run_with_half_the_frames(rig::Rig& rig, model::Tick ticks) {
   for (model::Tick i = 0; i < ticks; i += 2) {
-    rig.lose_telemetry(1);
+    rig.drop_telemetry(1);
     rig.run(2);
   }
 }
@@ -61,7 +61,7 @@ TEST(EverySecondFrameLost, AThermistorAtSeventyTrips) {
 
 // Without two consecutive frames no winding temperature can be measured by V/I, so the limits are
 // those after a restart.
-TEST(EverySecondFrameLost, ADrivenWindingIsHeldToWhatItBearsForEver) {
+TEST(EverySecondFrameLost, ADrivenWindingIsLimitedToTheContinuousCurrent) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 12.0));
@@ -76,7 +76,7 @@ TEST(EverySecondFrameLost, ADrivenWindingIsHeldToWhatItBearsForEver) {
   EXPECT_NEAR(rig.current_a(), 12.0, 0.2) << "measured again";
 }
 
-TEST(EverySecondFrameLost, APulseTrainIsHeldToo) {
+TEST(EverySecondFrameLost, APulseTrainIsLimitedToo) {
   rig::Rig rig;
   rig.run_until_armed();
   for (int i = 0; i < 8; ++i) {
@@ -97,7 +97,7 @@ void run_with_frames_in_pairs(rig::Rig& rig, model::Tick ticks) {
 
 // Board and host have independent clocks, so for a while one tick may have no frame and the next
 // one two. This has no effect.
-TEST(FramesInPairs, TakeNothingFromAPush) {
+TEST(FramesInPairs, DoNotReduceAPush) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 12.0));

@@ -8,7 +8,7 @@ namespace {
 using control::Reason;
 
 /// A ball at `celsius` whose saved state is lost.
-rig::RigOptions lost(double celsius, int thermistors) {
+rig::RigOptions with_lost_state(double celsius, int thermistors) {
   rig::RigOptions options;
   options.control.start_known = false;
   options.control.start_measured = {};
@@ -20,8 +20,8 @@ rig::RigOptions lost(double celsius, int thermistors) {
 
 class LostState : public ::testing::TestWithParam<int> {};
 
-TEST_P(LostState, IsATripAndArmsWhenItMustBeCool) {
-  rig::Rig rig(lost(25.0, GetParam()));
+TEST_P(LostState, IsATripAndArmsWhenItIsCertainlyCool) {
+  rig::Rig rig(with_lost_state(25.0, GetParam()));
   rig.run(50);
   EXPECT_EQ(name(rig.controller().state()), "tripped") << "arm_at_start does not clear it";
   EXPECT_EQ(name(rig.controller().reason()), "state_lost");
@@ -39,7 +39,7 @@ TEST_P(LostState, IsATripAndArmsWhenItMustBeCool) {
 }
 
 TEST_P(LostState, IsNotArmedWhileAWindingMayBeHot) {
-  rig::Rig rig(lost(60.0, GetParam()));
+  rig::Rig rig(with_lost_state(60.0, GetParam()));
   rig.run(50);
   rig.arm();
   rig.run(400);
@@ -52,7 +52,7 @@ TEST_P(LostState, IsNotArmedWhileAWindingMayBeHot) {
 
 INSTANTIATE_TEST_SUITE_P(Thermistors, LostState, ::testing::Values(1, 3));
 
-TEST(OtherBall, StopsAndNothingIsKnownOfItsHeat) {
+TEST(OtherBall, StopsWithUnknownTemperatures) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({0, 1, 0}, 15.0));
@@ -66,11 +66,11 @@ TEST(OtherBall, StopsAndNothingIsKnownOfItsHeat) {
   EXPECT_EQ(rig.snapshot().thermal.measured, (std::array<bool, model::kCoils>{}));
 }
 
-TEST(OtherBall, ThatIsAlreadyGoneTripsWhenItComesBack) {
+TEST(OtherBall, ThatHasDisconnectedTripsWhenItReturns) {
   rig::Rig rig;
   hold_five_ampere(rig);
   rig.emergency_stop();
-  rig.lose_telemetry(200);
+  rig.drop_telemetry(200);
   rig.run(150);
   ASSERT_EQ(name(rig.controller().state()), "absent");
   rig.command(control::ResetBall{});

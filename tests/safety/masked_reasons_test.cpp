@@ -52,7 +52,7 @@ TEST(Asleep, WhileAnEffectOnlyWaitsForItsOnset) {
   EXPECT_NEAR(rig.current_a(), 5.0, 0.1);
 }
 
-TEST(Asleep, NotBetweenTheStrokesOfAVibration) {
+TEST(Asleep, NotBetweenThePeriodsOfAVibration) {
   rig::Rig rig;
   rig.run_until_armed();
   model::EffectSpec spec = rig::hold({1, 0, 0}, 5.0);

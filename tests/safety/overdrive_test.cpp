@@ -11,7 +11,7 @@ namespace {
 
 using model::Tick;
 
-constexpr double kAskedA = 8.0;
+constexpr double kRequestedA = 8.0;
 constexpr double kMaxA = 8.5;
 
 struct Vibration {
@@ -21,35 +21,35 @@ struct Vibration {
 
   Vibration() {
     rig.run_until_armed();
-    model::EffectSpec spec = rig::hold({1, 0, 0}, kAskedA);
+    model::EffectSpec spec = rig::hold({1, 0, 0}, kRequestedA);
     spec.waveform = model::Waveform::kSquare;
     spec.frequency_hz = 60.0;
     rig.start(spec);
   }
-  void look() {
+  void sample() {
     peak_a = std::max(peak_a, rig.current_a());
-    if (rig.current_a() > 0.5 * kAskedA) above_half_ms += 1.0;
+    if (rig.current_a() > 0.5 * kRequestedA) above_half_ms += 1.0;
   }
   void tick() {
     rig.tick();
-    look();
+    sample();
   }
   void skip_control(Tick ticks) {
     for (Tick i = 0; i < ticks; ++i) {
       rig.skip_control(1);
-      look();
+      sample();
     }
   }
   void freeze_host(Tick ticks) {
     for (Tick i = 0; i < ticks; ++i) {
       rig.freeze_host(1);
-      look();
+      sample();
     }
   }
-  void expect_as_asked(double seconds) {
+  void expect_delivered(double seconds) {
     record();
     EXPECT_LT(peak_a, kMaxA);
-    EXPECT_GT(peak_a, 0.9 * kAskedA);
+    EXPECT_GT(peak_a, 0.9 * kRequestedA);
     EXPECT_NEAR(above_half_ms / (seconds * 1000.0), 0.5, 0.1) << "it still vibrates";
     EXPECT_EQ(name(rig.controller().state()), "armed") << "being late is no fault of the ball";
   }
@@ -61,7 +61,7 @@ struct Vibration {
 TEST(Overdrive, AVibrationInTime) {
   Vibration vibration;
   for (int i = 0; i < 3000; ++i) vibration.tick();
-  vibration.expect_as_asked(3.0);
+  vibration.expect_delivered(3.0);
 }
 
 TEST(Overdrive, EveryThirdControlTickSkipped) {
@@ -71,7 +71,7 @@ TEST(Overdrive, EveryThirdControlTickSkipped) {
     vibration.tick();
     vibration.skip_control(1);
   }
-  vibration.expect_as_asked(3.0);
+  vibration.expect_delivered(3.0);
 }
 
 TEST(Overdrive, EveryThirdFrameNeverSent) {
@@ -81,7 +81,7 @@ TEST(Overdrive, EveryThirdFrameNeverSent) {
     vibration.tick();
     vibration.freeze_host(1);
   }
-  vibration.expect_as_asked(3.0);
+  vibration.expect_delivered(3.0);
 }
 
 TEST(Overdrive, ControlAndLinkPauseAtRandom) {
@@ -97,12 +97,12 @@ TEST(Overdrive, ControlAndLinkPauseAtRandom) {
       vibration.freeze_host(late);
     ran += 1 + late;
   }
-  vibration.expect_as_asked(static_cast<double>(ran) / 1000.0);
+  vibration.expect_delivered(static_cast<double>(ran) / 1000.0);
 }
 
 // The defect that this file tests: the voltage that reaches the current within a millisecond gives
 // 26 A if it stays applied.
-TEST(Overdrive, ControlThatStopsRightAfterAStepHoldsWhatWasAsked) {
+TEST(Overdrive, ControlThatStopsRightAfterAStepHoldsTheRequest) {
   for (const double requested_a : {3.0, 8.0, 15.0}) {
     rig::Rig rig;
     rig.run_until_armed();

@@ -30,14 +30,14 @@ RC_GTEST_PROP(RandomFaults, NeverLeaveACoilDriven, (std::uint64_t seed)) {
   rig.run_until_armed();
   rig::Temper temper = rig::Temper::draw(random);
   temper.mean_length_s = 0.1;
-  model::Tick unasked = 0;
+  model::Tick unrequested = 0;
   const auto step = [&] {
     rig.tick();
-    const bool nothing =
+    const bool idle =
         rig.controller().effects_empty() || rig.controller().state() != control::State::kArmed;
-    unasked = nothing && rig.current_a() > 0.1 ? unasked + 1 : 0;
-    RC_ASSERT(unasked <= kLongest);
-    if (nothing) RC_ASSERT(!rig.last_command().enable());
+    unrequested = idle && rig.current_a() > 0.1 ? unrequested + 1 : 0;
+    RC_ASSERT(unrequested <= kLongest);
+    if (idle) RC_ASSERT(!rig.last_command().enable());
     RC_ASSERT(rig.plant().hottest_winding_c() < rig::kHottestAllowedC);
   };
   control::EffectId effect = 0;
@@ -55,7 +55,7 @@ RC_GTEST_PROP(RandomFaults, NeverLeaveACoilDriven, (std::uint64_t seed)) {
         rig.stop(effect);
         break;
       case 3:
-        rig.lose_telemetry(static_cast<int>(random.bits() % 150));
+        rig.drop_telemetry(static_cast<int>(random.bits() % 150));
         break;
       case 4:
         rig.skip_control(static_cast<model::Tick>(random.bits() % 40));
@@ -89,13 +89,13 @@ TEST(RandomHours, OneOfEach) {
 class FiveAmpere : public ::testing::TestWithParam<model::Vec3> {};
 
 // Under a sanitizer half an hour gives the same coverage as four.
-constexpr int kForEverS = HEDGEHOG_SANITIZED != 0 ? 1800 : 4 * 3600;
+constexpr int kDurationS = HEDGEHOG_SANITIZED != 0 ? 1800 : 4 * 3600;
 
 TEST_P(FiveAmpere, ForFourHoursIsNeverReducedAndNeverTrips) {
   rig::Rig rig;
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold(GetParam(), 5.0));
-  for (int second = 0; second < kForEverS; second += 5) {
+  for (int second = 0; second < kDurationS; second += 5) {
     rig.update(effect, rig::hold(GetParam(), 5.0));
     rig.run(5000);
     ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Along, FiveAmpere,
                          axis_name);
 
 // Noise of the currents must not accumulate over hours in which nothing else changes.
-TEST(SteadyCurrent, LeavesTheEstimateRightForHoursWithEachThermistorAndFrontEnd) {
+TEST(SteadyCurrent, KeepsTheEstimateRightForHoursWithEachThermistorAndFrontEnd) {
   struct Case {
     device::FrontEndKind front_end;
     int thermistors;
@@ -135,7 +135,7 @@ TEST(SteadyCurrent, LeavesTheEstimateRightForHoursWithEachThermistorAndFrontEnd)
     options.board.ambient_c = options.board.start_c = 25.0;
     rig::ThermalBall ball(options);
     double worst_k = 0.0;
-    for (double s = 0.0; s < 2.0 * kForEverS; s += rig::ThermalBall::kStepS) {
+    for (double s = 0.0; s < 2.0 * kDurationS; s += rig::ThermalBall::kStepS) {
       ball.step(one.held_a);
       const double off_k = ball.observer().filter().winding_c(1) - ball.plant().heat().winding_c[1];
       worst_k = std::max(worst_k, std::abs(off_k));

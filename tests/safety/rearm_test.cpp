@@ -43,7 +43,7 @@ TEST(RearmThroughTheSameTrip, WaitsFromTheFourthTimeOn) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(RearmThroughTheSameTrip, IsRememberedOverARestart) {
+TEST(RearmThroughTheSameTrip, PersistsOverARestart) {
   rig::RigOptions options;
   options.control.latch = Reason::kSensorOpen;
   options.control.rearms[static_cast<std::size_t>(Reason::kSensorOpen)] = 4;

@@ -56,15 +56,15 @@ inline void expect_tripped(const rig::Rig& rig, control::Reason reason) {
   EXPECT_EQ(name(status.latch), name(reason));
   EXPECT_EQ(name(status.last_trip.reason), name(reason));
   EXPECT_EQ(rig.last_command().fan, 255);
-  int told = 0;
+  int events = 0;
   for (const control::Event& event : rig.events()) {
     if (event.type == control::EventType::kStateChanged &&
         event.state == control::State::kTripped) {
-      ++told;
+      ++events;
       EXPECT_EQ(name(event.reason), name(reason));
     }
   }
-  EXPECT_EQ(told, 1) << "one event an episode";
+  EXPECT_EQ(events, 1) << "one event an episode";
 }
 
 }  // namespace hedgehog::safety

@@ -11,25 +11,25 @@ using control::EndReason;
 using control::EventType;
 using control::Reason;
 
-TEST(ClientGone, ItsEffectsEndAtTheNextTickAndOthersPlayOn) {
+TEST(ClientGone, ItsEffectsEndAtTheNextTickAndOthersContinue) {
   rig::Rig rig;
   rig.run_until_armed();
-  const auto gone = rig.start(rig::hold({1, 0, 0}, 5.0));
-  const auto stays = rig.start(rig::hold({0, 1, 0}, 4.0));
+  const auto disconnected = rig.start(rig::hold({1, 0, 0}, 5.0));
+  const auto other = rig.start(rig::hold({0, 1, 0}, 4.0));
   rig.run(100);
-  rig.stop(gone, EndReason::kDisconnected);
+  rig.stop(disconnected, EndReason::kDisconnected);
   rig.tick();
-  EXPECT_FALSE(rig.playing(gone));
+  EXPECT_FALSE(rig.playing(disconnected));
   ASSERT_NE(rig.last(EventType::kEffectEnded), nullptr);
   EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kDisconnected);
   EXPECT_EQ(rig.snapshot().limited_a.x, 0.0);
-  EXPECT_TRUE(rig.playing(stays));
+  EXPECT_TRUE(rig.playing(other));
   rig.run(kDecay);
   EXPECT_LT(std::abs(rig.plant().current_a().x), kZeroA);
   EXPECT_NEAR(rig.plant().current_a().y, 4.0, 0.05);
 }
 
-TEST(ClientSilent, ItsLeaseRunsOut) {
+TEST(ClientSilent, ItsLeaseExpires) {
   rig::Rig rig;
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold({1, 0, 0}, 5.0, 1000));
@@ -40,7 +40,7 @@ TEST(ClientSilent, ItsLeaseRunsOut) {
   EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kExpired);
 }
 
-TEST(IoStuck, EveryEffectRunsOutByItselfAndStoppingStillWorks) {
+TEST(IoStuck, EveryEffectEndsByItselfAndStoppingStillWorks) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 5.0, 10'000));
@@ -73,7 +73,7 @@ TEST(EmergencyStop, CoilsOffAtTheNextTickDisarmedAndLatched) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(EmergencyStop, OutlivesAnArmingOfTheSameTick) {
+TEST(EmergencyStop, OverridesAnArmingOfTheSameTick) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
   rig::Rig rig(options);
@@ -85,7 +85,7 @@ TEST(EmergencyStop, OutlivesAnArmingOfTheSameTick) {
   EXPECT_EQ(name(rig.controller().reason()), "emergency_stop");
 }
 
-TEST(EmergencyStop, OutlivesAnOlderArmingThatStillWaitsInTheQueue) {
+TEST(EmergencyStop, OverridesAnOlderArmingInTheQueue) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
   rig::Rig rig(options);
@@ -126,7 +126,7 @@ TEST(BoardSilent, AbsentAfterAHundredMillisecondsThenDisarmed) {
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold({1, 0, 0}, 5.0));
   rig.run(100);
-  rig.forget_events();
+  rig.clear_events();
   rig.set_faults(device::kSimSilent);  // the cable, in both directions
   rig.run(99);
   EXPECT_EQ(name(rig.controller().state()), "armed");
@@ -150,7 +150,7 @@ TEST(BoardSilent, AbsentAfterAHundredMillisecondsThenDisarmed) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(BoardSilent, PulledOutWhileDrivingAndPutInAgainItIsNewDisarmedAndHearsOfNoArming) {
+TEST(BoardSilent, ReconnectedAfterAPullWhileDrivingItStaysDisarmed) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 15.0));
@@ -176,19 +176,19 @@ TEST(BoardSilent, PulledOutWhileDrivingAndPutInAgainItIsNewDisarmedAndHearsOfNoA
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-TEST(BoardSilent, SomeLostFramesAreNothing) {
+TEST(BoardSilent, AFewLostFramesAreTolerated) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 8.0));
   for (int i = 0; i < 100; ++i) {
-    rig.lose_telemetry(i % 40);
+    rig.drop_telemetry(i % 40);
     rig.run(90);
   }
   EXPECT_EQ(name(rig.controller().state()), "armed");
   EXPECT_NEAR(rig.current_a(), 8.0, 0.1);
 }
 
-TEST(BoardSilent, ALatchOutlivesTheCable) {
+TEST(BoardSilent, ALatchPersistsOverAReconnection) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.set_faults(device::kSimSensorOpen);

@@ -41,7 +41,7 @@ rig::RigOptions ball_in(const Place& place) {
 
 class SkinAtFifteenAmpere : public ::testing::TestWithParam<Place> {};
 
-TEST_P(SkinAtFifteenAmpere, IsHeldAtFortyThree) {
+TEST_P(SkinAtFifteenAmpere, IsLimitedToFortyThree) {
   rig::Rig rig(ball_in(GetParam()));
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold(GetParam().direction, 15.0));
@@ -49,7 +49,7 @@ TEST_P(SkinAtFifteenAmpere, IsHeldAtFortyThree) {
   for (int second = 0; second < 1200; second += 2) {
     rig.update(effect, rig::hold(GetParam().direction, 15.0));
     rig.run(2000);
-    rig.forget_events();
+    rig.clear_events();
     EXPECT_EQ(rig::follow_skin(result, rig.plant().skin_c(), second), "");
     EXPECT_LE(rig.plant().skin_c(), rig.snapshot().skin.bound_c) << second << " s";
   }
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Places, SkinAtFifteenAmpere,
                                            Place{"room_32_no_fan", 32.0, kNoFan, kOneCoil}),
                          [](const auto& place) { return place.param.name; });
 
-TEST(SkinAtFiveAmpere, InAClosedHandIsHeldAtFortyThree) {
+TEST(SkinAtFiveAmpere, InAClosedHandIsLimitedToFortyThree) {
   rig::Rig rig(ball_in({"", 25.0, kClosed, kAllCoils}));
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold(kAllCoils, 5.0));
@@ -74,7 +74,7 @@ TEST(SkinAtFiveAmpere, InAClosedHandIsHeldAtFortyThree) {
   for (int second = 0; second < 2400; second += 5) {
     rig.update(effect, rig::hold(kAllCoils, 5.0));
     rig.run(5000);
-    rig.forget_events();
+    rig.clear_events();
     EXPECT_EQ(rig::follow_skin(result, rig.plant().skin_c(), second), "");
   }
   EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
@@ -95,7 +95,7 @@ rig::ThermalBallOptions family(std::uint64_t seed, int thermistors, double hand)
 
 // 3 A for 18 minutes and then a burst at full demand, repeatedly: the heat of the windings reaches
 // the shell when it is already warm.
-TEST(SkinOfTheFamily, IsHeldWhenABurstFollowsOnWarmth) {
+TEST(SkinOfTheFamily, IsLimitedWhenABurstFollowsOnAWarmBall) {
   rig::HourResult all;
   for (std::uint64_t seed = 1; seed <= repetitions(24U); ++seed) {
     const double hand = std::array{kOpen, kClosed, kNoFan}[seed % 3];
@@ -112,12 +112,12 @@ TEST(SkinOfTheFamily, IsHeldWhenABurstFollowsOnWarmth) {
   EXPECT_GT(all.held_skin_c, 41.0);
 }
 
-TEST(SkinOfTheFamily, IsHeldInAnHourOfRandomPlayInAClosedHand) {
+TEST(SkinOfTheFamily, IsLimitedInAnHourOfRandomPlayInAClosedHand) {
   for (std::uint64_t seed = 1; seed <= repetitions(12U); ++seed)
     EXPECT_EQ(rig::thermal_hour(50'000 + seed, 3600.0, {}, 0.2, kClosed).failure, "") << seed;
 }
 
-TEST(SkinLimit, LeavesFiveAmpereForHoursToABallThatMatches) {
+TEST(SkinLimit, AllowsFiveAmpereForHoursOnAMatchingBall) {
   for (const int thermistors : {3, 1}) {
     rig::ThermalBallOptions options;
     options.skin_limits = true;

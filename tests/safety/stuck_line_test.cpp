@@ -66,7 +66,7 @@ TEST_P(StuckLine, DrivesNothingWhileTheBridgesSleep) {
 }
 
 // The line is repaired: arming once is enough, whatever the front end measures while bridges sleep.
-TEST_P(StuckLine, CanBeArmedAgainWhenItIsMended) {
+TEST_P(StuckLine, CanBeArmedAgainWhenItIsRepaired) {
   hold_five_ampere(rig);
   stick(rig, 1, duty);
   expect_zero(rig, kStuckWithin);
@@ -97,7 +97,7 @@ TEST(StuckLineAlone, IsMadeSafeByTheBoard) {
     rig::Rig rig(with(kind));
     hold_five_ampere(rig);
     stick(rig, 1, 0.3);
-    rig.lose_telemetry(1000);
+    rig.drop_telemetry(1000);
     EXPECT_TRUE(rig.run_until([&] { return asleep(rig); }, kStuckWithin));
     EXPECT_NE(rig.board().core().faults() & board::kUnexpectedCurrent, 0);
   }

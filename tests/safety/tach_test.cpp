@@ -31,7 +31,7 @@ rig::RigOptions warm() {
 }
 
 /// The core estimate after a minute, with the tachometer's reading multiplied by `gain`.
-double believed_core_c(double gain) {
+double estimated_core_c(double gain) {
   rig::Rig rig(warm());
   rig.run_until_armed();
   set_errors(rig, {tach_gain(gain)});
@@ -40,17 +40,17 @@ double believed_core_c(double gain) {
   return rig.controller().thermal().nodes.core_c;
 }
 
-TEST(Tach, AReadingThatCannotBeCreditsNoCooling) {
-  const double cooled_c = believed_core_c(1.0);
-  EXPECT_GT(believed_core_c(2.0), cooled_c + 0.5);
-  EXPECT_GT(believed_core_c(0.5), cooled_c + 0.5);
+TEST(Tach, AnImpossibleReadingCreditsNoCooling) {
+  const double cooled_c = estimated_core_c(1.0);
+  EXPECT_GT(estimated_core_c(2.0), cooled_c + 0.5);
+  EXPECT_GT(estimated_core_c(0.5), cooled_c + 0.5);
 }
 
 TEST(Tach, WithoutTelemetryNoFanIsCredited) {
   rig::Rig rig(warm());
   rig.run_s(5.0);
   ASSERT_TRUE(rig.snapshot().fan_cooling);
-  rig.lose_telemetry(1000);
+  rig.drop_telemetry(1000);
   rig.run(120);
   EXPECT_FALSE(rig.snapshot().fan_cooling);
 }

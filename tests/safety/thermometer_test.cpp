@@ -16,8 +16,8 @@ using device::ThermometerRole;
 /// A ball with a second thermometer that reports twice per second.
 struct Ball {
   rig::Rig rig;
-  double told_c = 25.0;
-  bool live = true;
+  double reading_c = 25.0;
+  bool responds = true;
 
   explicit Ball(ThermometerRole role, double start_c = 25.0) : rig(options(role, start_c)) {}
 
@@ -28,12 +28,12 @@ struct Ball {
     return made;
   }
 
-  /// `truth` returns the probe's temperature and is called each tick.
-  template <class Truth>
-  void run(model::Tick ticks, Truth truth) {
+  /// `true_c` returns the probe's temperature and is called each tick.
+  template <class TrueTemperature>
+  void run(model::Tick ticks, TrueTemperature true_c) {
     for (model::Tick i = 0; i < ticks; ++i) {
-      told_c = truth();
-      if (live && rig.now() % 500 == 0) rig.say_thermometer(told_c);
+      reading_c = true_c();
+      if (responds && rig.now() % 500 == 0) rig.set_thermometer(reading_c);
       rig.tick();
     }
   }
@@ -42,7 +42,7 @@ struct Ball {
         ticks, [&] { return celsius; });
   }
   void arm_at(double celsius) {
-    rig.say_thermometer(celsius);
+    rig.set_thermometer(celsius);
     run(600, celsius);
     ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.snapshot().arming_blocker);
   }
@@ -103,7 +103,7 @@ TEST(Shell, TripsAtFortyEight) {
   ball.rig.start(rig::hold({1, 0, 0}, 5.0));
   ball.run(500, 30.0);
   ASSERT_GT(ball.rig.current_a(), 4.9);
-  ball.rig.say_thermometer(48.0);
+  ball.rig.set_thermometer(48.0);
   ball.rig.tick();
   ball.run(50, 48.0);
   EXPECT_LT(ball.rig.current_a(), kZeroA) << "reduced to nothing at once";
@@ -179,7 +179,7 @@ class Silence : public ::testing::TestWithParam<ThermometerRole> {};
 TEST_P(Silence, OfFiveSecondsIsAFault) {
   Ball ball(GetParam());
   ball.arm_at(25.0);
-  ball.live = false;
+  ball.responds = false;
   ball.rig.start(rig::hold({1, 0, 0}, 5.0));
   ball.run(4000, 25.0);
   EXPECT_GT(ball.rig.current_a(), 4.9);
@@ -188,16 +188,16 @@ TEST_P(Silence, OfFiveSecondsIsAFault) {
   expect_zero(ball.rig, 5);
 }
 
-TEST_P(Silence, FromTheStartKeepsItFromBeingArmed) {
+TEST_P(Silence, FromTheStartBlocksArming) {
   Ball ball(GetParam());
-  ball.live = false;
+  ball.responds = false;
   ball.run(2000, 25.0);
   EXPECT_EQ(name(ball.rig.controller().state()), "disarmed");
   EXPECT_EQ(name(ball.rig.snapshot().arming_blocker), "thermometer_lost");
-  ball.rig.say_thermometer(std::numeric_limits<double>::quiet_NaN());
+  ball.rig.set_thermometer(std::numeric_limits<double>::quiet_NaN());
   ball.run(400, 25.0);
   EXPECT_EQ(name(ball.rig.snapshot().arming_blocker), "thermometer_lost");
-  ball.live = true;
+  ball.responds = true;
   ball.run(1000, 25.0);
   EXPECT_TRUE(ball.armed()) << "and then arms as it would have at the start";
 }
@@ -211,14 +211,14 @@ INSTANTIATE_TEST_SUITE_P(EachRole, Silence,
 TEST(NoThermometer, NothingIsExpectedOfIt) {
   rig::Rig rig;
   rig.run_until_armed();
-  rig.say_thermometer(90.0);
+  rig.set_thermometer(90.0);
   rig.run(10'000);
   EXPECT_FALSE(rig.snapshot().thermometer_known);
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
 // A probe overrides the estimate, in both directions.
-TEST(Shell, AProbeOnAShellThatInsulatesWellLeavesMore) {
+TEST(Shell, AProbeOnAnInsulatingShellAllowsMoreCurrent) {
   Ball ball(ThermometerRole::kShell, 60.0);
   ball.arm_at(30.0);
   EXPECT_LT(model::shell_allowed_current({}, ball.rig.snapshot().skin.estimate.celsius()).value,
@@ -228,12 +228,12 @@ TEST(Shell, AProbeOnAShellThatInsulatesWellLeavesMore) {
   EXPECT_NEAR(ball.rig.current_a(), 5.0, 0.1);
 }
 
-TEST(Shell, AProbeThatHasFallenSilentIsNotBelievedOverTheEstimate) {
+TEST(Shell, AProbeThatHasFallenSilentDoesNotOverrideTheEstimate) {
   Ball ball(ThermometerRole::kShell, 60.0);
   ball.arm_at(30.0);
   ball.rig.start(rig::hold({1, 0, 0}, 5.0));
   ball.run(300, 30.0);
-  ball.live = false;
+  ball.responds = false;
   ball.run(2000, 30.0);
   EXPECT_NEAR(ball.rig.current_a(), 5.0, 0.1);
   ball.run(1500, 30.0);
@@ -241,7 +241,7 @@ TEST(Shell, AProbeThatHasFallenSilentIsNotBelievedOverTheEstimate) {
   EXPECT_LT(ball.rig.current_a(), kZeroA);
 }
 
-TEST(Shell, WithoutAnyWordOfTheProbeNothingFlows) {
+TEST(Shell, WithoutAnyReadingOfTheProbeNothingFlows) {
   Ball ball(ThermometerRole::kShell);
   ball.run(1000, [&] { return std::nan(""); });
   EXPECT_EQ(ball.rig.snapshot().limit_a, 0.0);

@@ -14,7 +14,7 @@ using VibrationCase = std::tuple<FrontEndKind, double, double>;
 
 class EachVibration : public ::testing::TestWithParam<VibrationCase> {};
 
-TEST_P(EachVibration, GetsWhatItAsksWithinFivePercent) {
+TEST_P(EachVibration, IsDeliveredWithinFivePercent) {
   const auto [front_end, frequency_hz, peak_a] = GetParam();
   rig::RigOptions options;
   options.board.front_end.kind = front_end;
@@ -26,21 +26,21 @@ TEST_P(EachVibration, GetsWhatItAsksWithinFivePercent) {
   spec.frequency_hz = frequency_hz;
   rig.start(spec);
   rig.run(100);
-  double asked = 0.0;
-  double flowed = 0.0;
+  double requested_sum = 0.0;
+  double measured_sum = 0.0;
   constexpr int kTicks = 3000;
   for (int i = 0; i < kTicks; ++i) {
     rig.tick();
-    const double wanted_a = rig.snapshot().limited_a.x;
+    const double limited_a = rig.snapshot().limited_a.x;
     const double flowing_a = rig.plant().current_a().x;
-    asked += wanted_a * wanted_a;
-    flowed += flowing_a * flowing_a;
+    requested_sum += limited_a * limited_a;
+    measured_sum += flowing_a * flowing_a;
   }
   EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
-  const double requested_a = std::sqrt(asked / kTicks);
+  const double requested_a = std::sqrt(requested_sum / kTicks);
   // It swings between zero and its peak.
   EXPECT_NEAR(requested_a, peak_a * std::sqrt(3.0 / 8.0), 0.02 * peak_a);
-  EXPECT_NEAR(std::sqrt(flowed / kTicks), requested_a, 0.05 * requested_a);
+  EXPECT_NEAR(std::sqrt(measured_sum / kTicks), requested_a, 0.05 * requested_a);
 }
 
 std::string vibration_name(const ::testing::TestParamInfo<VibrationCase>& info) {

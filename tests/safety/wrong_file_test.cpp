@@ -15,7 +15,7 @@ struct Outcome {
 };
 
 /// Holds `requested_a` in `winding`, whose resistance is `share` times that of the file.
-Outcome held(int winding, double share, double requested_a, int most_s, double ambient_c = 25.0,
+Outcome held(int winding, double share, double requested_a, int max_s, double ambient_c = 25.0,
              int thermistors = 3) {
   rig::RigOptions options;
   options.board.front_end.thermistors = thermistors;
@@ -29,7 +29,7 @@ Outcome held(int winding, double share, double requested_a, int most_s, double a
   along[winding] = 1.0;
   const auto effect = rig.start(rig::hold(along, requested_a));
   Outcome outcome;
-  while (outcome.seconds < most_s && rig.controller().state() == control::State::kArmed) {
+  while (outcome.seconds < max_s && rig.controller().state() == control::State::kArmed) {
     rig.update(effect, rig::hold(along, requested_a));
     rig.run(500);
     outcome.seconds += 0.5;
@@ -54,14 +54,14 @@ TEST(WrongFile, TooLittleResistanceStopsTheBallBeforeItIsWarm) {
   }
 }
 
-TEST(WrongFile, TooMuchResistanceLooksLikeHeat) {
+TEST(WrongFile, TooMuchResistanceIsTreatedAsHeat) {
   for (const double share : {1.2, 2.0})
     for (const double requested_a : {5.0, 15.0})
       EXPECT_LT(held(1, share, requested_a, 10).seconds, 1.1) << share << " " << requested_a;
 }
 
 // The resistance is measured at each cold start, so a small error of the file has no effect.
-TEST(WrongFile, FivePercentMakeNoDifference) {
+TEST(WrongFile, FivePercentAreTolerated) {
   for (const int thermistors : {1, 3}) {
     for (const int winding : {0, 1, 2}) {
       const Outcome outcome = held(winding, 0.95, 12.0, 120, 25.0, thermistors);
@@ -71,7 +71,7 @@ TEST(WrongFile, FivePercentMakeNoDifference) {
   }
 }
 
-TEST(WrongFile, ARightOneAndAColdRoomAreNoFault) {
+TEST(WrongFile, ARightOneAndAColdAmbientAreNoFault) {
   for (const double ambient_c : {5.0, 25.0}) {
     for (const double share : {0.97, 1.0, 1.03}) {
       for (const double requested_a : {1.6, 5.0, 15.0}) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs the cases of conformance.json on libraries that are tested by separate programs: a program reads its case from HEDGEHOG_CASE,
-connects to HEDGEHOG_ADDRESS with the timeout HEDGEHOG_PATIENCE_S, prints "passed" and exits with 0."""
+connects to HEDGEHOG_ADDRESS with the timeout HEDGEHOG_TIMEOUT_S, prints "passed" and exits with 0."""
 
 import json
 import os
@@ -22,7 +22,7 @@ def failure_of(case, start):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     address = "127.0.0.1:" + daemon.stdout.readline().strip()
     program = start(dict(os.environ, HEDGEHOG_ADDRESS=address, HEDGEHOG_CASE=json.dumps(case),
-                         HEDGEHOG_PATIENCE_S="3" if case["name"] == SLOW else "60"))
+                         HEDGEHOG_TIMEOUT_S="3" if case["name"] == SLOW else "60"))
     try:
         printed, _ = program.communicate(timeout=120)
         _, errors = daemon.communicate(timeout=70)

@@ -20,11 +20,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Milliseconds kSlowPatience{3'000};
+constexpr Milliseconds kSlowTimeout{3'000};
 constexpr const char* kSlow = "a slow response ends the connection, the next call makes a new one";
 
-void expect(bool met, const std::string& what) {
-  if (!met) throw std::runtime_error("not so: " + what);
+void expect(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error("not so: " + what);
 }
 
 /// The parameters as text, without null members; empty if there are none.
@@ -67,14 +67,14 @@ void check(const json& step, const client::Outcome<std::string>& outcome) {
            outcome.error().message);
   } else if (step.contains("error")) {
     expect(!outcome && outcome.error().refusal, "refused");
-    const json& wanted = step["error"];
+    const json& expected = step["error"];
     const protocol::RpcError refusal = *outcome.error().refusal;
-    expect(static_cast<int>(refusal.code) == wanted["code"], "the code");
+    expect(static_cast<int>(refusal.code) == expected["code"], "the code");
     // This library derives the name from the code, even when the daemon sends none.
-    expect(wanted["name"] == "" || wanted["name"] == std::string(protocol::name(refusal.code)),
+    expect(expected["name"] == "" || expected["name"] == std::string(protocol::name(refusal.code)),
            "the name");
-    expect(wanted["message"] == outcome.error().message, "the message");
-    expect(wanted.value("field", "") == refusal.field.value_or(""), "the field");
+    expect(expected["message"] == outcome.error().message, "the message");
+    expect(expected.value("field", "") == refusal.field.value_or(""), "the field");
   } else {
     expect(outcome.has_value(), outcome ? "" : outcome.error().message);
     if (step.contains("result")) expect(json::parse(*outcome) == step["result"], *outcome);
@@ -102,17 +102,17 @@ void play(Library& library, const json& step, json& ended) {
       std::this_thread::sleep_for(library.retry_after());
     check(step, outcome);
   } else if (step.contains("ask")) {
-    expect(library.ask(step["ask"]), "asked");
+    expect(library.request(step["ask"]), "asked");
   } else if (step.contains("answered")) {
-    check(step, library.answer());
+    check(step, library.response());
   } else if (step.contains("subscriptions_ended")) {
-    const json& wanted = step["subscriptions_ended"];
+    const json& expected = step["subscriptions_ended"];
     // The library's thread may have read a refusal that it has not reported yet.
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    const auto deadline = std::chrono::steady_clock::now() + kTimeout;
     do {
       while (const auto refused = library.refused_renewal()) ended.push_back(refused->message);
-    } while (ended.size() < wanted.size() && std::chrono::steady_clock::now() < deadline);
-    expect(ended == wanted, ended.dump());
+    } while (ended.size() < expected.size() && std::chrono::steady_clock::now() < deadline);
+    expect(ended == expected, ended.dump());
   } else if (step.contains("notify")) {
     expect(library.notify(step["notify"], text_of(params)), "notified");
   } else if (step.contains("rumble")) {
@@ -135,7 +135,7 @@ void play_case(const std::string& folder, const json& one) {
   FakeDaemon daemon(folder, name);
   {
     Library library(daemon.address(),
-                    {.name = "conformance", .patience = name == kSlow ? kSlowPatience : kPatience});
+                    {.name = "conformance", .timeout = name == kSlow ? kSlowTimeout : kTimeout});
     const auto opened = library.open();
     if (one["client"][0].contains("open")) {
       check(one["client"][0],

@@ -18,7 +18,7 @@ using client::Failure;
 using client::Milliseconds;
 
 // Timeout of calls, and the duration of a case in which the daemon never answers.
-inline constexpr Milliseconds kPatience{60'000};
+inline constexpr Milliseconds kTimeout{60'000};
 
 inline client::Outcome<std::string> outcome_of(protocol::Reply reply) {
   if (reply.result) return *std::move(reply.result);
@@ -36,11 +36,11 @@ class Waiting {
   client::Outcome<std::string> call(const std::string& method, const std::string& params) {
     return ball_.call_raw(method, params);
   }
-  bool ask(const std::string& method) { return ball_.ask_raw(method, "").has_value(); }
-  client::Outcome<std::string> answer() {
+  bool request(const std::string& method) { return ball_.request_raw(method, "").has_value(); }
+  client::Outcome<std::string> response() {
     for (;; std::this_thread::yield()) {
       ball_.update();
-      if (auto reply = ball_.answer()) return outcome_of(*std::move(reply));
+      if (auto reply = ball_.response()) return outcome_of(*std::move(reply));
     }
   }
   bool notify(const std::string& method, const std::string& params) {
@@ -50,7 +50,7 @@ class Waiting {
               std::optional<protocol::Direction> direction, protocol::EffectParams others) {
     return ball_.rumble(slot, strength, std::move(direction), std::move(others));
   }
-  client::Notification next() { return ball_.next(kPatience).value().value(); }
+  client::Notification next() { return ball_.next(kTimeout).value().value(); }
   std::optional<ClientError> refused_renewal() { return ball_.refused_renewal(); }
   int connections() { return ball_.connections(); }
   Milliseconds retry_after() { return ball_.retry_after(); }
@@ -72,11 +72,11 @@ class Frames : public Waiting {
   }
   client::Outcome<std::string> call(const std::string& method, const std::string& params) {
     while (!ball_.connected()) frame();
-    const auto asked = ball_.ask_raw(method, params);
+    const auto id = ball_.request_raw(method, params);
     for (;;) {
       if (!ball_.connected()) return ball_.failure();
-      while (auto reply = ball_.answer()) {
-        if (reply->id != asked) continue;
+      while (auto reply = ball_.response()) {
+        if (reply->id != id) continue;
         return outcome_of(*std::move(reply));
       }
       frame();
@@ -112,11 +112,11 @@ class Threaded {
   client::Outcome<std::string> call(const std::string& method, const std::string& params) {
     return ball_.call_raw(method, params).get();
   }
-  bool ask(const std::string& method) {
-    asked_ = ball_.call_raw(method, "");
+  bool request(const std::string& method) {
+    future_ = ball_.call_raw(method, "");
     return true;
   }
-  client::Outcome<std::string> answer() { return asked_.get(); }
+  client::Outcome<std::string> response() { return future_.get(); }
   std::optional<ClientError> refused_renewal() { return ball_.refused_renewal(); }
   bool notify(const std::string& method, const std::string& params) {
     return ball_.notify_raw(method, params);
@@ -135,7 +135,7 @@ class Threaded {
 
  private:
   ThreadedBall ball_;
-  std::future<client::Outcome<std::string>> asked_;
+  std::future<client::Outcome<std::string>> future_;
 };
 
 }  // namespace hedgehog

@@ -32,8 +32,8 @@ class Examples(unittest.TestCase):
         """The lap is printed as expected; engine and skid play in their slots, each impact and gear change as a pulse."""
         daemon = LiveDaemon(DAEMON)
         self.addCleanup(daemon.stop)
-        with hedgehog.Ball(daemon.address, patience_s=LIMIT_S) as watcher:
-            events = watcher.events(["effect_started"], scope="all", patience_s=LIMIT_S)
+        with hedgehog.Ball(daemon.address, timeout_s=LIMIT_S) as watcher:
+            events = watcher.events(["effect_started"], scope="all", timeout_s=LIMIT_S)
             printed = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True, timeout=LIMIT_S,
                                      env=dict(os.environ, HEDGEHOG_ADDRESS=daemon.address, **environment)).stdout
             self.assertEqual([line for line in printed.splitlines() if " s  " in line], LAP)
@@ -67,7 +67,7 @@ class Examples(unittest.TestCase):
     def test_unreal(self):
         self.check_lap([UNREAL, "racer"])
 
-    def test_nobody_there_is_said_in_words(self):
+    def test_a_missing_daemon_is_reported_in_a_sentence(self):
         ended = subprocess.run([sys.executable, str(EXAMPLES / "racer.py")], stderr=subprocess.PIPE, text=True, check=False,
                                env=dict(os.environ, HEDGEHOG_ADDRESS="127.0.0.1:1", PYTHONPATH=str(ROOT / "clients" / "python")))
         self.assertEqual((ended.returncode, ended.stderr), (69, "the daemon does not run: 127.0.0.1:1: Connection refused\n"))

@@ -51,7 +51,7 @@ class Responder:
 
     def _serve(self):
         while True:
-            query, asked_by = self._socket.recvfrom(9000)
+            query, sender = self._socket.recvfrom(9000)
             if not query:
                 return
             self.queries += 1
@@ -61,7 +61,7 @@ class Responder:
                 else:
                     answers = [[data for _, _, data in records]]
                 for answer in answers:
-                    self._socket.sendto(query[:2] + struct.pack(">5H", 0x8400, 0, len(answer), 0, 0) + b"".join(answer), asked_by)
+                    self._socket.sendto(query[:2] + struct.pack(">5H", 0x8400, 0, len(answer), 0, 0) + b"".join(answer), sender)
 
 
 def main():

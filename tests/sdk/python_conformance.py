@@ -18,7 +18,7 @@ import hedgehog  # noqa: E402
 
 CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
 # Timeout of calls, and the duration of a case in which the daemon never answers.
-PATIENCE_S = 60.0
+TIMEOUT_S = 60.0
 SLOW = "a slow response ends the connection, the next call makes a new one"
 
 
@@ -33,8 +33,8 @@ class Daemon:
         return self.process.returncode, errors
 
 
-def patience_of(case):
-    return 3.0 if case["name"] == SLOW else PATIENCE_S
+def timeout_of(case):
+    return 3.0 if case["name"] == SLOW else TIMEOUT_S
 
 
 class Reports:
@@ -60,8 +60,8 @@ class Blocking(Reports):
         super().__init__()
         self.ball = ball
 
-    async def open(self, address, patience_s):
-        self.ball = hedgehog.Ball(address, name="conformance", patience_s=patience_s, on_reconnect=self.again,
+    async def open(self, address, timeout_s):
+        self.ball = hedgehog.Ball(address, name="conformance", timeout_s=timeout_s, on_reconnect=self.again,
                                   on_subscription_ended=self.subscription_ended)
 
     async def close(self):
@@ -77,14 +77,14 @@ class Blocking(Reports):
         return self.ball.rumble(slot, strength, direction, **params)
 
     async def notification(self):
-        return self.ball.next_notification(PATIENCE_S)
+        return self.ball.next_notification(TIMEOUT_S)
 
 
 class Asynchronous(Reports):
     """Runs a step of a case on AsyncBall."""
 
-    async def open(self, address, patience_s):
-        self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s, on_reconnect=self.again,
+    async def open(self, address, timeout_s):
+        self.ball = hedgehog.AsyncBall(address, name="conformance", timeout_s=timeout_s, on_reconnect=self.again,
                                        on_subscription_ended=self.subscription_ended)
         await self.ball.__aenter__()
         # A queue like those from which the generators of events and telemetry read.
@@ -112,7 +112,7 @@ class Asynchronous(Reports):
         return await self.ball.rumble(slot, strength, direction, **params)
 
     async def notification(self):
-        received = await asyncio.wait_for(self.queue.get(), PATIENCE_S)
+        received = await asyncio.wait_for(self.queue.get(), TIMEOUT_S)
         # Generators end with their connection; this queue continues with the next one.
         return await self.notification() if isinstance(received, hedgehog.BallError) else received
 
@@ -173,9 +173,9 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
         """The Ball has been reconnected by other calls meanwhile."""
         daemon = Daemon({"name": "a subscription that the next daemon refuses has ended, and is reported"})
         self.addCleanup(lambda: self.assertEqual(daemon.finish(), (0, "")))
-        with hedgehog.Ball(daemon.address, patience_s=PATIENCE_S) as ball:
+        with hedgehog.Ball(daemon.address, timeout_s=TIMEOUT_S) as ball:
             events = ball.events(scope="all")
-            telemetry = ball.telemetry(5, patience_s=0)
+            telemetry = ball.telemetry(5, timeout_s=0)
             with self.assertRaises(hedgehog.NotConnected):
                 ball.ping()
             asyncio.run(self.again(Blocking(ball), "ping"))
@@ -191,9 +191,9 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
         daemon = Daemon(case)
         steps = case["client"]
         if "open" in steps[0]:
-            await self.outcome(steps[0], lambda: library.open(daemon.address, PATIENCE_S))
+            await self.outcome(steps[0], lambda: library.open(daemon.address, TIMEOUT_S))
         else:
-            await library.open(daemon.address, patience_of(case))
+            await library.open(daemon.address, timeout_of(case))
             for step in steps:
                 await self.step(library, step)
             await library.close()

@@ -50,18 +50,18 @@ class Live(unittest.TestCase):
         self.assertGreater(float(printed), 10.0)
 
     def test_a_pulse_is_played_and_ends(self):
-        with hedgehog.Ball(self.address, patience_s=60) as ball:
-            events = ball.events(["effect_ended"], patience_s=60)
+        with hedgehog.Ball(self.address, timeout_s=60) as ball:
+            events = ball.events(["effect_ended"], timeout_s=60)
             effect = ball.pulse("left", level=0.5, duration_ms=30)["effect"]
             ended = next(events)
             self.assertEqual((ended["effect"], ended["reason"]), (effect, "completed"))
 
-    def test_a_daemon_elsewhere_is_known_by_its_fingerprint_and_shown_the_token(self):
-        known = dict(token=self.daemon.token, fingerprint=self.daemon.fingerprint, patience_s=60)
+    def test_a_remote_daemon_is_verified_by_its_fingerprint_and_gets_the_token(self):
+        known = dict(token=self.daemon.token, fingerprint=self.daemon.fingerprint, timeout_s=60)
         with hedgehog.Ball(self.daemon.tls_address, **known) as ball:
             self.assertEqual(ball.hello["role"], "play")
             self.assertTrue(ball.rumble("engine", 0.3, "back"))
-            events = ball.events(["effect_ended"], patience_s=60)
+            events = ball.events(["effect_ended"], timeout_s=60)
             effect = ball.pulse("left", level=0.5, duration_ms=30)["effect"]
             self.assertIn(effect, (event["effect"] for event in events))
 
@@ -71,12 +71,12 @@ class Live(unittest.TestCase):
 
         self.assertTrue(asyncio.run(play()))
 
-    def test_a_daemon_that_is_announced_is_known_by_its_fingerprint_too(self):
+    def test_an_announced_daemon_is_verified_by_its_fingerprint_too(self):
         host, _, port = self.daemon.tls_address.removeprefix("tls://").partition(":")
         responder = Responder([("ball-7", "0007", host, int(port))])
         self.addCleanup(responder.close)
         with mock.patch.dict(os.environ, {"HEDGEHOG_MDNS_PORT": str(responder.port)}):
-            known = dict(token=self.daemon.token, fingerprint=self.daemon.fingerprint, patience_s=60)
+            known = dict(token=self.daemon.token, fingerprint=self.daemon.fingerprint, timeout_s=60)
             with hedgehog.Ball("mdns://ball-7", **known) as ball:
                 self.assertEqual(ball.hello["role"], "play")
 
@@ -86,20 +86,20 @@ class Live(unittest.TestCase):
 
             self.assertEqual(asyncio.run(role()), "play")
             with self.assertRaisesRegex(hedgehog.NotConnected, "another fingerprint"):
-                hedgehog.Ball("mdns://ball-7", token=self.daemon.token, fingerprint="0" * 64, patience_s=60)
+                hedgehog.Ball("mdns://ball-7", token=self.daemon.token, fingerprint="0" * 64, timeout_s=60)
 
-    def test_another_fingerprint_or_authority_is_not_spoken_to(self):
+    def test_another_fingerprint_or_authority_is_rejected(self):
         for fingerprint, why in (("0" * 64, "another fingerprint"), (None, "certificate")):
             with self.assertRaisesRegex(hedgehog.NotConnected, why):
-                hedgehog.Ball(self.daemon.tls_address, token=self.daemon.token, fingerprint=fingerprint, patience_s=60)
+                hedgehog.Ball(self.daemon.tls_address, token=self.daemon.token, fingerprint=fingerprint, timeout_s=60)
         with self.assertRaises(hedgehog.AddressError):
             hedgehog.Ball(self.daemon.tls_address, fingerprint="0")
         with self.assertRaisesRegex(hedgehog.RequestError, "token"):
-            hedgehog.Ball(self.daemon.tls_address, token="hht_wrong", fingerprint=self.daemon.fingerprint, patience_s=60)
+            hedgehog.Ball(self.daemon.tls_address, token="hht_wrong", fingerprint=self.daemon.fingerprint, timeout_s=60)
 
-    def test_a_rumble_goes_on_in_its_slot_and_ends(self):
-        with hedgehog.Ball(self.address, patience_s=60) as ball:
-            events = ball.events(["effect_started"], patience_s=60)
+    def test_a_rumble_continues_in_its_slot_and_ends(self):
+        with hedgehog.Ball(self.address, timeout_s=60) as ball:
+            events = ball.events(["effect_started"], timeout_s=60)
             self.assertTrue(ball.rumble("engine", 0.3, "back", lease_ms=10_000))
             self.assertEqual(next(events)["slot"], "engine")
             self.assertTrue(ball.rumble("engine", 0.4, "back", lease_ms=10_000))
@@ -107,8 +107,8 @@ class Live(unittest.TestCase):
             ball.rumble("engine", 0)
             self.assertEqual(ball.stop_all()["stopped"], 0)
 
-    def test_a_thread_that_waits_for_events_keeps_no_other_from_calling(self):
-        with hedgehog.Ball(self.address, patience_s=60) as ball:
+    def test_a_thread_that_waits_for_events_blocks_no_call_of_another(self):
+        with hedgehog.Ball(self.address, timeout_s=60) as ball:
             events = ball.events(["effect_ended"])
             received = []
             waiting = threading.Thread(target=lambda: received.append(next(events)))
@@ -117,9 +117,9 @@ class Live(unittest.TestCase):
             waiting.join(60)
             self.assertEqual([event["effect"] for event in received], [effect])
 
-    def test_several_tasks_ask_at_once(self):
+    def test_concurrent_calls_of_several_tasks(self):
         async def ask():
-            async with hedgehog.AsyncBall(self.address, patience_s=60) as ball:
+            async with hedgehog.AsyncBall(self.address, timeout_s=60) as ball:
                 answers = await asyncio.gather(ball.ping(), ball.status(), ball.describe())
                 statuses = []
                 async for status in ball.telemetry(100, ["limit_a"]):
@@ -130,7 +130,7 @@ class Live(unittest.TestCase):
         self.assertEqual(answers[1]["state"], "armed")
         self.assertTrue(all("limit_a" in status for status in statuses))
 
-    def test_nobody_there_is_said_in_words(self):
+    def test_a_missing_daemon_is_reported_in_a_sentence(self):
         with self.assertRaisesRegex(hedgehog.NotConnected, r"the daemon does not run: 127\.0\.0\.1:1: Connection refused"):
             hedgehog.Ball("127.0.0.1:1")
 
@@ -151,7 +151,7 @@ class Generated(unittest.TestCase):
 
 
 class Addresses(unittest.TestCase):
-    def test_are_found_as_every_client_finds_them(self):
+    def test_are_those_of_every_client(self):
         self.assertEqual(hedgehog.address.daemon_addresses(None, {"HEDGEHOG_ADDRESS": "[::1]:9"}), [("::1", 9)])
         self.assertEqual(hedgehog.address.daemon_addresses(None, {"RUNTIME_DIRECTORY": "/a:/b", "XDG_RUNTIME_DIR": "/u"}),
                          ["/a/hedgehogd.sock", "/run/hedgehog/hedgehogd.sock", "/u/hedgehog/hedgehogd.sock",
@@ -162,7 +162,7 @@ class Addresses(unittest.TestCase):
         self.assertEqual(hedgehog.address.parse_address("game-pc"), ("game-pc", 7586))
         self.assertEqual(hedgehog.address.parse_address("::1"), ("::1", 7586))
 
-    def test_that_are_none_are_refused(self):
+    def test_invalid_ones_are_refused(self):
         for text in ("host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:"):
             with self.assertRaisesRegex(hedgehog.AddressError, "is no address of a daemon"):
                 hedgehog.address.parse_address(text)

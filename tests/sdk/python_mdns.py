@@ -98,12 +98,12 @@ class OnLoopback(unittest.TestCase):
             mdns.DiscoveredBall("ball-7", "lab.local", "127.0.0.1", 17586, "0007", "1.0", True),
             mdns.DiscoveredBall("ball-9", "lab.local", "127.0.0.1", 17587, "0009", "1.0", True)])
 
-    def test_what_a_responder_leaves_out_is_asked_for(self):
+    def test_missing_records_are_requested(self):
         responder = self.announce(("ball-7", "0007", "127.0.0.1", 17586))
         responder.one_record_each = True
         self.assertEqual([ball.name for ball in hedgehog.discover(3.0)], ["ball-7"])
 
-    def test_a_search_without_an_answer_is_an_error_that_both_clients_report(self):
+    def test_a_search_without_a_response_is_an_error_in_both_clients(self):
         self.announce()
         with self.assertRaises(hedgehog.NotConnected) as raised:
             hedgehog.Ball("mdns://", fingerprint=FINGERPRINT)
@@ -117,7 +117,7 @@ class OnLoopback(unittest.TestCase):
         with self.assertRaisesRegex(hedgehog.NotConnected, "^no ball answers on this network"):
             asyncio.run(connect())
 
-    def test_the_ball_that_is_meant_is_connected_to(self):
+    def test_the_selected_ball_is_connected_to(self):
         # No listener on these ports: the error contains the chosen address.
         self.announce(("ball-7", "0007", "127.0.0.1", 9), ("ball-9", "0009", "127.0.0.1", 10))
         with self.assertRaisesRegex(hedgehog.NotConnected, "^the daemon does not run: tls://127.0.0.1:10: Connection refused$"):
@@ -125,7 +125,7 @@ class OnLoopback(unittest.TestCase):
         with self.assertRaisesRegex(hedgehog.NotConnected, '^several balls .*"ball-7".*"ball-9"'):
             hedgehog.Ball("mdns://", fingerprint=FINGERPRINT)
 
-    def test_nothing_is_asked_by_default(self):
+    def test_nothing_is_searched_for_by_default(self):
         responder = self.announce()
         with mock.patch.dict(os.environ, {"HEDGEHOG_ADDRESS": "127.0.0.1:9"}), self.assertRaises(hedgehog.NotConnected):
             hedgehog.Ball()

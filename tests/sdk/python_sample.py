@@ -51,7 +51,7 @@ def explain(error: Exception) -> str:
     return "too warm" if error.name == name else str(error)
 
 
-def mistakes(ball: Ball) -> None:
+def type_errors(ball: Ball) -> None:
     discover(timeout_s="1 s")  # type: ignore[arg-type]
     ball.pulse("sideways")  # type: ignore[arg-type]
     ball.pulse("left", level="0.5")  # type: ignore[arg-type]

@@ -24,10 +24,10 @@ def check(*files):
 
 
 class Types(unittest.TestCase):
-    def test_the_library_and_programs_are_right_and_mistakes_are_refused(self):
+    def test_library_and_programs_type_check_and_errors_are_rejected(self):
         self.assertEqual(check("hedgehog", HERE / "python_sample.py", EXAMPLE), "")
 
-    def test_what_only_a_newer_python_understands_is_refused(self):
+    def test_syntax_of_a_newer_python_is_rejected(self):
         with tempfile.TemporaryDirectory() as folder:
             newer = pathlib.Path(folder) / "newer.py"
             newer.write_text("def kind(value: int) -> None:\n    match value:\n        case _:\n            pass\n", encoding="utf-8")

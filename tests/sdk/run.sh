@@ -67,7 +67,7 @@ bounded unreal/run.sh "$daemon"
 bounded python3 examples_live.py "$daemon" "$packed" "$build/tests/sdk/cpp_racer" ../../build/unreal/live
 
 # The quick starts, the sizes of the libraries, and the table.
-bounded ./newcomer.py "$daemon"
+bounded ./quick_starts.py "$daemon"
 ../../cmake/bundle.sh ../../clients/js/src "$packed/client" browser.js
 ../../cmake/compress.sh "$packed/client"
 ./sizes.py "$packed" "$packed/client" ../../build/run/share/hedgehog/*

@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Announcement, IsOfTheFirstListenerThatOtherMachinesReach) {
+TEST(Announcement, IsOfTheFirstListenerThatIsReachableRemotely) {
   EXPECT_EQ(announced_port({}), std::nullopt);
   EXPECT_EQ(announced_port({"127.0.0.1:7586", "[::1]:7586", "127.1.2.3:7", "localhost:7586",
                             "http://127.0.0.1:7587", "/run/hedgehog/hedgehogd.sock"}),

@@ -10,7 +10,7 @@ namespace hedgehog::server {
 namespace {
 
 struct BallWarning : testing::Test {
-  std::vector<std::string> told() {
+  std::vector<std::string> new_warnings() {
     mailbox->status.write(now);
     device_view.refresh();
     return warnings.step(device_view);
@@ -23,37 +23,37 @@ struct BallWarning : testing::Test {
   BallWarnings warnings;
 };
 
-TEST_F(BallWarning, AFanWhoseSpeedCannotBeIsToldOnceAndWhenItIsWellAgain) {
-  EXPECT_TRUE(told().empty());
+TEST_F(BallWarning, AnImplausibleFanSpeedIsReportedOnceAndItsRecoveryToo) {
+  EXPECT_TRUE(new_warnings().empty());
   now.fan_works = false;
   now.board.fan_rpm = 14'400.0;
-  const auto sentences = told();
+  const auto sentences = new_warnings();
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_EQ(sentences[0].find("the fan's tachometer shows 14400/min, and a fan of 7200/min that "
                               "cools shows 5040 to 10800: it counts as standing."),
             0u);
-  EXPECT_TRUE(told().empty());
+  EXPECT_TRUE(new_warnings().empty());
   now.fan_works = true;
-  EXPECT_EQ(told().size(), 1u);
+  EXPECT_EQ(new_warnings().size(), 1u);
 }
 
-TEST_F(BallWarning, R25ThatHasMovedSinceAnEarlierStartIsToldOnce) {
+TEST_F(BallWarning, R25ThatHasChangedSinceAnEarlierStartIsReportedOnce) {
   device_view.set_saved_r25({0.45, 0.45, 0.0});
   now.r25_ohm = {0.46, 0.42, 0.0};
-  const auto sentences = told();
+  const auto sentences = new_warnings();
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_EQ(sentences[0].find("winding y: R25 is 0.4200 ohm at this start, 6.7 % less than the "
                               "0.4500 ohm of an earlier start."),
             0u)
       << sentences[0];
   now.r25_ohm[1] = 0.419;
-  EXPECT_TRUE(told().empty()) << "this start's has been told";
+  EXPECT_TRUE(new_warnings().empty()) << "this start's has been told";
 }
 
-TEST_F(BallWarning, R25ThatCreptAwayFromTheDeviceFileIsTold) {
+TEST_F(BallWarning, R25ThatDriftedFromTheDeviceFileIsReported) {
   device_view.set_saved_r25({0.0, 0.48, 0.48});
   now.r25_ohm = {0.0, 0.485, 0.46};
-  const auto sentences = told();
+  const auto sentences = new_warnings();
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_NE(sentences[0].find("7.8 % more than the 0.4500 ohm in the device file"),
             std::string::npos)

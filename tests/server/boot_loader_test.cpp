@@ -38,13 +38,13 @@ TEST_F(BootLoader, IsForOperators) {
   EXPECT_EQ(rig.call(player, kMethod)["code"], -32004);
 }
 
-TEST_F(BootLoader, ADisarmedBoardGoesWhichIsNoTrip) {
+TEST_F(BootLoader, ADisarmedBoardDisappearsWithoutATrip) {
   stop();
   rig.call(owner, "events.subscribe", {{"types", {"state_changed"}}});
-  const Json gone = rig.call(owner, kMethod);
-  EXPECT_EQ(gone["state"], "absent");
-  EXPECT_EQ(gone["reason"], "boot_loader");
-  EXPECT_EQ(gone["remedy"], "Wait until the simulated board is back, after 3 s");
+  const Json absent = rig.call(owner, kMethod);
+  EXPECT_EQ(absent["state"], "absent");
+  EXPECT_EQ(absent["reason"], "boot_loader");
+  EXPECT_EQ(absent["remedy"], "Wait until the simulated board is back, after 3 s");
   EXPECT_EQ(status()["reason"], "boot_loader");
   rig.run(10);
   const auto events = rig.on_event(owner);
@@ -60,7 +60,7 @@ TEST_F(BootLoader, ADisarmedBoardGoesWhichIsNoTrip) {
   EXPECT_EQ(rig.call(owner, kMethod)["code"], -32005) << "it is there already";
 }
 
-TEST_F(BootLoader, ABoardThatHasComeBackIsArmedByAPersonOnly) {
+TEST_F(BootLoader, AReturnedBoardIsArmedByRequestOnly) {
   stop();
   rig.call(owner, kMethod);
   rig.run(3200);
@@ -69,27 +69,27 @@ TEST_F(BootLoader, ABoardThatHasComeBackIsArmedByAPersonOnly) {
   EXPECT_EQ(rig.call(owner, "device.arm")["state"], "armed");
 }
 
-TEST_F(BootLoader, WhoArmsMeanwhileIsToldWhyNot) {
+TEST_F(BootLoader, ArmingMeanwhileIsRefusedWithTheReason) {
   stop();
   const std::string line = R"([{"jsonrpc":"2.0","id":1,"method":"device.enter_boot_loader"},)"
                            R"({"jsonrpc":"2.0","id":2,"method":"device.arm"}])";
-  const Json answers = rig.say(owner, line);
-  ASSERT_EQ(answers.size(), 2u);
-  EXPECT_EQ(answers[0]["result"]["reason"], "boot_loader");
-  EXPECT_EQ(answers[1]["error"]["data"]["reason"], "boot_loader");
+  const Json responses = rig.exchange(owner, line);
+  ASSERT_EQ(responses.size(), 2u);
+  EXPECT_EQ(responses[0]["result"]["reason"], "boot_loader");
+  EXPECT_EQ(responses[1]["error"]["data"]["reason"], "boot_loader");
 }
 
-TEST_F(BootLoader, WhoIsLaterThanAnArmingIsToldSo) {
+TEST_F(BootLoader, ARequestAfterAnArmingIsRefusedWithTheReason) {
   stop();
   const std::string line = R"([{"jsonrpc":"2.0","id":1,"method":"device.arm"},)"
                            R"({"jsonrpc":"2.0","id":2,"method":"device.enter_boot_loader"}])";
-  const Json answers = rig.say(owner, line);
-  ASSERT_EQ(answers.size(), 2u);
-  EXPECT_EQ(answers[0]["result"]["state"], "armed");
-  EXPECT_EQ(answers[1]["error"]["data"]["name"], "armed");
+  const Json responses = rig.exchange(owner, line);
+  ASSERT_EQ(responses.size(), 2u);
+  EXPECT_EQ(responses[0]["result"]["state"], "armed");
+  EXPECT_EQ(responses[1]["error"]["data"]["name"], "armed");
 }
 
-TEST_F(BootLoader, ABoardThatDoesNotKnowItIsNotAsked) {
+TEST_F(BootLoader, AnUnsupportingBoardGetsNoRequest) {
   stop();
   control::StatusSnapshot older = rig.device_view->now();
   older.board.protocol_minor = 1;
@@ -104,7 +104,7 @@ TEST_F(BootLoader, ABoardThatDoesNotKnowItIsNotAsked) {
   EXPECT_EQ(status()["state"], "disarmed");
 }
 
-TEST_F(BootLoader, ABoardThatDoesNotGoIsReported) {
+TEST_F(BootLoader, ABoardThatDoesNotEnterItIsReported) {
   stop();
   rig.server->line(owner.session,
                    R"({"jsonrpc":"2.0","id":1,"method":"device.enter_boot_loader"})");

@@ -37,7 +37,7 @@ device::UsbDevice board(int address = 4) {
   return usb("1-3", address, 0x1209, 0x0001, "Hedgehog driver board", "7");
 }
 
-TEST(DeviceList, TheBoardThatIsOpenIsUsed) {
+TEST(DeviceList, TheOpenBoardIsInUse) {
   DeviceFacts known = facts();
   known.board->open = true;
   known.board->place = device::UsbPlace{1, 4, -1};
@@ -54,7 +54,7 @@ TEST(DeviceList, TheBoardThatIsOpenIsUsed) {
   EXPECT_EQ(seen.devices[1].why_not, "another board is used");
 }
 
-TEST(DeviceList, WhyABoardIsNotUsedIsSaidWithoutItsNameOnceMore) {
+TEST(DeviceList, TheReasonABoardIsNotUsedDoesNotRepeatItsName) {
   DeviceFacts known = facts();
   known.board->what = device::describe_board(board()) + ": another program has it";
   EXPECT_EQ(seen_devices({board()}, {}, known).devices[0].why_not, "another program has it");
@@ -63,7 +63,7 @@ TEST(DeviceList, WhyABoardIsNotUsedIsSaidWithoutItsNameOnceMore) {
             "the ball is simulated (backend in the configuration)");
 }
 
-TEST(DeviceList, SensorsAreKnownByWhatConfigurationAsksFor) {
+TEST(DeviceList, SensorsAreMatchedWithTheConfiguration) {
   const auto mti = usb("1-4", 6, 0x2639, 0x0003, "MTi-30", "0368248C");
   const auto stick = usb("1-6", 7, 0x413D, 0x2107, "TEMPer2");
   const auto awinda = usb("1-5", 8, 0x2639, 0x0101, "Awinda Station");
@@ -84,7 +84,7 @@ TEST(DeviceList, SensorsAreKnownByWhatConfigurationAsksFor) {
   EXPECT_TRUE(seen.missing.empty());
 }
 
-TEST(DeviceList, WhatIsMissingAndWhatIsNothingToUs) {
+TEST(DeviceList, ListsMissingDevicesAndIgnoresOthers) {
   DeviceFacts known = facts();
   known.lines = {{"board", "usb", {false, "no driver board is connected (1209:0001)", 0}}};
   auto hub = usb("usb1", 1, 0x1D6B, 0x0002, "xHCI Host Controller");
@@ -96,7 +96,7 @@ TEST(DeviceList, WhatIsMissingAndWhatIsNothingToUs) {
   EXPECT_EQ(seen.missing[0].why, "no driver board is connected (1209:0001)");
 }
 
-struct SlowLooker : server::DeviceScanner {
+struct SlowScanner : server::DeviceScanner {
   Ready scan() override {
     return [this]() -> std::optional<protocol::DevicesResult> {
       if (--pumps > 0) return std::nullopt;
@@ -110,18 +110,18 @@ struct SlowLooker : server::DeviceScanner {
   int pumps = 20;
 };
 
-TEST(DeviceList, TheAnswerComesWhenItIsThereAndNobodyElseWaits) {
+TEST(DeviceList, TheResponseIsSentWhenTheScanEndsAndDelaysNoOther) {
   server::ServerRig rig;
-  SlowLooker looker;
-  rig.server->set_devices(looker);
-  auto& asker = rig.connect(protocol::Role::kObserve);
+  SlowScanner scanner;
+  rig.server->set_devices(scanner);
+  auto& client = rig.connect(protocol::Role::kObserve);
   auto& other = rig.connect();
-  rig.server->line(asker.session, R"({"jsonrpc":"2.0","id":1,"method":"device.list"})");
+  rig.server->line(client.session, R"({"jsonrpc":"2.0","id":1,"method":"device.list"})");
   EXPECT_TRUE(rig.call(other, "ping").contains("time_ns"));
-  EXPECT_TRUE(asker.lines.empty());
+  EXPECT_TRUE(client.lines.empty());
   rig.run(30);
-  ASSERT_FALSE(asker.lines.empty());
-  const auto found = server::Json::parse(asker.lines.front().text)["result"];
+  ASSERT_FALSE(client.lines.empty());
+  const auto found = server::Json::parse(client.lines.front().text)["result"];
   EXPECT_EQ(found["others"], 7);
   EXPECT_EQ(found["devices"][0]["protocol"], "1.2") << "as its telemetry says";
   EXPECT_EQ(found["devices"][1]["protocol"], "1") << "nobody has heard that one";

@@ -7,7 +7,7 @@
 namespace hedgehog::server {
 namespace {
 
-TEST(Device, HelloSaysWhatAGameNeedsFirst) {
+TEST(Device, HelloHasWhatAGameNeedsFirst) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kPlay);
   const Json hello = rig.call(game, "hello", {{"client", "Racer/1.2"}, {"protocol", "1.0"}});
@@ -38,7 +38,7 @@ TEST(Device, HelloNamesThisStartOfTheDaemon) {
   EXPECT_NE(start_id(other), first);
 }
 
-TEST(Device, TheForecastKnowsCurrentsMethodsAndEffects) {
+TEST(Device, TheForecastAcceptsCurrentsMethodsAndEffects) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kPlay);
   const Json fifteen =
@@ -66,7 +66,7 @@ TEST(Device, TheForecastKnowsCurrentsMethodsAndEffects) {
   EXPECT_EQ(rig.call(game, "thermal.forecast", {{"effect", 999}})["code"], -32002);
 }
 
-TEST(Device, ABatchGetsEightForecastsSoThatAStopNeedNotWait) {
+TEST(Device, ABatchIsLimitedToEightForecastsSoThatAStopIsNotDelayed) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   Json batch = Json::array();
@@ -78,20 +78,20 @@ TEST(Device, ABatchGetsEightForecastsSoThatAStopNeedNotWait) {
   }
   batch.push_back({{"jsonrpc", "2.0"}, {"id", 20}, {"method", "ping"}});
   for (int round = 0; round < 2; ++round) {
-    const Json answers = rig.say(game, batch.dump());
-    ASSERT_EQ(answers.size(), 21u);
+    const Json responses = rig.exchange(game, batch.dump());
+    ASSERT_EQ(responses.size(), 21u);
     for (std::size_t i = 0; i < 20; ++i) {
-      EXPECT_EQ(answers[i]["id"], i);
-      EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
+      EXPECT_EQ(responses[i]["id"], i);
+      EXPECT_EQ(responses[i].contains("result"), i < 8) << i;
     }
-    EXPECT_EQ(answers[8]["error"]["code"], -32001);
-    EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
-    EXPECT_GE(answers[8]["error"]["data"]["retry_after_ms"], 1);
-    EXPECT_TRUE(answers[20].contains("result")) << "what is no forecast is served";
+    EXPECT_EQ(responses[8]["error"]["code"], -32001);
+    EXPECT_EQ(responses[8]["error"]["data"]["limit"], 8);
+    EXPECT_GE(responses[8]["error"]["data"]["retry_after_ms"], 1);
+    EXPECT_TRUE(responses[20].contains("result")) << "what is no forecast is served";
   }
 }
 
-TEST(Device, AHotBallReducesAndRefusesWhoWouldRatherNot) {
+TEST(Device, AHotBallReducesOrRefusesAsRequested) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "events.subscribe");
@@ -104,20 +104,21 @@ TEST(Device, AHotBallReducesAndRefusesWhoWouldRatherNot) {
   EXPECT_EQ(reduced["limited_by"], "thermal");
   EXPECT_LT(reduced["current_a"].get<double>(), 14.0);
   EXPECT_EQ(reduced["headroom_s"], 0);
-  Json careful = hold;
-  careful["if_limited"] = "refuse";
-  const Json refused = rig.call(game, "effect.hold", careful);
+  Json refusing = hold;
+  refusing["if_limited"] = "refuse";
+  const Json refused = rig.call(game, "effect.hold", refusing);
   EXPECT_EQ(refused["code"], -32007);
   EXPECT_EQ(refused["data"]["field"], "current_a");
   EXPECT_EQ(refused["data"]["value"], 15);
   EXPECT_GT(refused["data"]["retry_after_ms"].get<int>(), 0);
-  bool said = false;
-  for (const Json& event : rig.on_event(game)) said = said || event["type"] == "derating_started";
-  EXPECT_TRUE(said);
+  bool reported = false;
+  for (const Json& event : rig.on_event(game))
+    reported = reported || event["type"] == "derating_started";
+  EXPECT_TRUE(reported);
   EXPECT_EQ(rig.call(game, "device.status")["derating"], true);
 }
 
-TEST(Device, RefusalLooksAheadOverTheDuration) {
+TEST(Device, RefusalForecastsTheWholeDuration) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.run(100);
@@ -140,7 +141,7 @@ TEST(Device, RefusalLooksAheadOverTheDuration) {
   EXPECT_EQ(refused["data"]["field"], "duration_ms");
 }
 
-TEST(Device, MixAndPriorityAreSaid) {
+TEST(Device, MixAndPriorityAreReported) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 12}});
@@ -153,7 +154,7 @@ TEST(Device, MixAndPriorityAreSaid) {
   EXPECT_EQ(below["current_a"], 0);
   rig.call(game, "effect.stop_all");
   EXPECT_EQ(rig.call(game, "output.set_gain", {{"gain", 0.5}})["gain"], 0.5);
-  EXPECT_EQ(rig.memory.gain, 0.5);
+  EXPECT_EQ(rig.state_store.gain, 0.5);
   const Json soft = rig.call(game, "effect.pulse", {{"direction", "up"}, {"current_a", 10}});
   EXPECT_EQ(soft["limited_by"], "configuration");
   EXPECT_NEAR(soft["current_a"].get<double>(), 5.0, 1e-6);
@@ -189,17 +190,17 @@ TEST(Device, TheFirstFeederOwnsAnExternalOrientation) {
   EXPECT_EQ(rig.call(other, "orientation.set", flat), Json::object());
 }
 
-TEST(Device, AWorldEffectMayFollowTheFirstOrientationInOneBreath) {
+TEST(Device, AWorldEffectMayFollowTheFirstOrientationInOneBatch) {
   config::Config config;
   config.imu = config::ImuType::kExternal;
   ServerRig rig(config);
   FakeClient& feeder = rig.connect();
-  const Json answers = rig.say(
+  const Json responses = rig.exchange(
       feeder,
       R"([{"jsonrpc":"2.0","id":1,"method":"orientation.set","params":{"quaternion":{"w":1,"x":0,"y":0,"z":0}}},)"
       R"({"jsonrpc":"2.0","id":2,"method":"effect.pulse","params":{"direction":"up","frame":"world"}}])");
-  ASSERT_EQ(answers.size(), 2u) << answers;
-  EXPECT_TRUE(answers[1].contains("result")) << answers;
+  ASSERT_EQ(responses.size(), 2u) << responses;
+  EXPECT_TRUE(responses[1].contains("result")) << responses;
 }
 
 TEST(Device, TelemetryKeepsItsRateInDeviceTime) {

@@ -16,7 +16,7 @@ Json pulse(const Json& more = Json::object()) {
 }
 
 // The pitch compares every pin with every other: computed once per ball, not per request.
-TEST(Effects, ACircleHasThePitchThatWasComputedForTheBall) {
+TEST(Effects, ACircleHasThePitchOfTheBall) {
   constexpr double kPitchDeg = 31.0;
   const SpecFacts facts{{}, 0.0126, model::thesis_ball().array, kPitchDeg};
   const auto params = protocol::with_defaults(model::EffectMethod::kCircle, {});
@@ -27,7 +27,7 @@ TEST(Effects, ACircleHasThePitchThatWasComputedForTheBall) {
   EXPECT_EQ(rig.device_view->pin_pitch_deg(), model::pin_pitch_deg(rig.device_view->array()));
 }
 
-TEST(Effects, AStartIsAdmittedAndPlays) {
+TEST(Effects, AStartIsAcceptedAndPlays) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "events.subscribe");
@@ -147,20 +147,20 @@ TEST(Effects, WhenAConnectionEndsItsEffectsEndAtTheNextTick) {
   EXPECT_LT(rig.plant_current_a(), 0.1);
 }
 
-TEST(Effects, EventsOfOthersAreForThoseWhoAskForAll) {
+TEST(Effects, EventsOfOthersAreSentForScopeAllOnly) {
   ServerRig rig;
   FakeClient& game = rig.connect();
-  FakeClient& mine = rig.connect();
+  FakeClient& subscriber = rig.connect();
   FakeClient& some = rig.connect();
-  rig.call(mine, "events.subscribe");
+  rig.call(subscriber, "events.subscribe");
   rig.call(some, "events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   rig.call(game, "effect.pulse", pulse({{"duration_ms", 10}}));
   rig.run(50);
-  EXPECT_TRUE(rig.on_event(mine).empty());
+  EXPECT_TRUE(rig.on_event(subscriber).empty());
   EXPECT_EQ(rig.on_event(some).size(), 1u);
 }
 
-TEST(Effects, ThirtyTwoEachAndSixtyFourInAll) {
+TEST(Effects, AreLimitedToThirtyTwoEachAndSixtyFourInAll) {
   ServerRig rig;
   FakeClient* games[] = {&rig.connect(), &rig.connect(), &rig.connect()};
   for (int i = 0; i < 32; ++i) {
@@ -177,7 +177,7 @@ TEST(Effects, ThirtyTwoEachAndSixtyFourInAll) {
   EXPECT_TRUE(rig.call(*games[2], "effect.pulse", pulse()).contains("effect"));
 }
 
-TEST(Effects, AClaimKeepsOthersFromPlaying) {
+TEST(Effects, AClaimPreventsOthersFromPlaying) {
   ServerRig rig;
   FakeClient& study = rig.connect();
   FakeClient& game = rig.connect();
@@ -198,7 +198,7 @@ TEST(Effects, NothingPlaysOnABallThatIsNotArmed) {
   FakeClient& game = rig.connect();
   const Json stopped = rig.call(game, "device.emergency_stop");
   EXPECT_EQ(stopped["state"], "disarmed");
-  EXPECT_EQ(rig.memory.latch, control::Reason::kEmergencyStop);
+  EXPECT_EQ(rig.state_store.latch, control::Reason::kEmergencyStop);
   const Json refused = rig.call(game, "effect.pulse", pulse());
   EXPECT_EQ(refused["code"], -32000);
   EXPECT_EQ(refused["data"]["reason"], "emergency_stop");
@@ -227,18 +227,18 @@ TEST(Effects, ABatchIsAppliedInOneTick) {
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "a"}, {"method", "ping"}});
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "b"}, {"method", "device.arm"}});
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "c"}, {"method", "nonsense"}});
-  const Json answers = rig.say(game, batch.dump());
-  ASSERT_EQ(answers.size(), 3u);
-  EXPECT_EQ(answers[0]["id"], "a");
-  EXPECT_EQ(answers[1]["id"], "b");
-  EXPECT_EQ(answers[2]["error"]["code"], -32601);
+  const Json responses = rig.exchange(game, batch.dump());
+  ASSERT_EQ(responses.size(), 3u);
+  EXPECT_EQ(responses[0]["id"], "a");
+  EXPECT_EQ(responses[1]["id"], "b");
+  EXPECT_EQ(responses[2]["error"]["code"], -32601);
   rig.run(5);
   const auto events = rig.on_event(game);
   ASSERT_EQ(events.size(), 32u);
   for (const Json& event : events) EXPECT_EQ(event["time_ns"], events[0]["time_ns"]);
 }
 
-TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
+TEST(Effects, AnEndedOneIsNotMixedWithTheNext) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   const Json strong{{"direction", "left"}, {"current_a", 12}, {"duration_ms", 50}};
@@ -250,7 +250,7 @@ TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
   rig.run(60);
   // Control continues, and the server sees the ticks, but no event yet.
   rig.call(game, "effect.pulse", strong);
-  rig.run_unheard(80);
+  rig.run_without_pump(80);
   EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], nullptr);
 }
 

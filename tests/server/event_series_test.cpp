@@ -71,7 +71,7 @@ TEST_F(Series, HasTheFirstTheCountTheLastAndTheSum) {
   EXPECT_EQ(events[0].event.skipped, 74u);
 }
 
-TEST_F(Series, OneAloneIsAnEventLikeOthers) {
+TEST_F(Series, ASingleEventIsNoSeries) {
   EventHistory history(writer(), {});
   record(history, kStartMs);
   EXPECT_EQ(newest(history)[0].count, std::nullopt);
@@ -90,7 +90,7 @@ TEST_F(Series, EndsAfterAQuietMinuteAndAfterAnHour) {
   EXPECT_EQ(newest(history).size(), 5u) << "a clock that was set back";
 }
 
-TEST_F(Series, IsAskedForByItsLast) {
+TEST_F(Series, IsFoundByTheTimeOfItsLastEvent) {
   EventHistory history(writer(), {});
   for (int i = 0; i < 10; ++i) record(history, kStartMs + 30'000 * i);
   EXPECT_EQ(newest(history, base::rfc3339(kStartMs + 200'000)).size(), 1u);
@@ -123,7 +123,7 @@ TEST_F(Series, IsOnDiskWhenTheDaemonStops) {
   EXPECT_EQ(events[0].count, 5);
 }
 
-TEST_F(Series, ADiskThatFailsGetsTheWholeOfItLater) {
+TEST_F(Series, IsWrittenCompletelyAfterADiskError) {
   bool fails = true;
   EventHistory history(
       [&](HistoryPart part, const std::string& lines, bool begin_file) {
@@ -149,14 +149,14 @@ TEST_F(Series, DisplacesNeitherDeratingNorAnEmergencyStop) {
     const EventHistory again(writer(), kept);
     protocol::EventsHistory request;
     request.types = {"state_changed", "derating_started"};
-    const auto asked = protocol::decode_result<protocol::HistoryResult>(
+    const auto found = protocol::decode_result<protocol::HistoryResult>(
         (restarted ? again : history).newest(request));
-    ASSERT_EQ(asked->events.size(), 2u) << restarted;
-    EXPECT_EQ(asked->events[0].event.reason, "emergency_stop");
+    ASSERT_EQ(found->events.size(), 2u) << restarted;
+    EXPECT_EQ(found->events[0].event.reason, "emergency_stop");
   }
 }
 
-TEST_F(Series, AWarmBallThatIsDeratedAllDayDisplacesNoEmergencyStop) {
+TEST_F(Series, ADayOfDeratingDisplacesNoEmergencyStop) {
   EventHistory history(writer(), {});
   history.record(state_changed("disarmed", "emergency_stop"), kStartMs, nullptr);
   for (int i = 1; i <= 6000; ++i) {
@@ -168,17 +168,17 @@ TEST_F(Series, AWarmBallThatIsDeratedAllDayDisplacesNoEmergencyStop) {
   const HistoryTexts kept = texts_;
   for (const bool restarted : {false, true}) {
     const EventHistory again(writer(), kept);
-    const EventHistory& asked = restarted ? again : history;
+    const EventHistory& found = restarted ? again : history;
     protocol::EventsHistory request;
     request.types = {"state_changed"};
-    const auto stops = protocol::decode_result<protocol::HistoryResult>(asked.newest(request));
+    const auto stops = protocol::decode_result<protocol::HistoryResult>(found.newest(request));
     ASSERT_EQ(stops->events.size(), 1u) << restarted;
     EXPECT_EQ(stops->events[0].event.reason, "emergency_stop");
-    EXPECT_EQ(newest(asked).back().event.type, "derating_ended") << "in their order of time";
+    EXPECT_EQ(newest(found).back().event.type, "derating_ended") << "in their order of time";
   }
 }
 
-TEST_F(Series, WhatAnEarlierDaemonKeptOneByOneIsOneToo) {
+TEST_F(Series, SingleEventsOfAnEarlierVersionAreMergedToo) {
   HistoryTexts old;
   std::string& text = old[static_cast<std::size_t>(HistoryPart::kBall)].filling;
   for (int i = 0; i < 812; ++i) {

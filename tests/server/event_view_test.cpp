@@ -12,7 +12,7 @@
 namespace hedgehog::server {
 namespace {
 
-std::string told(control::EventType type, double temperature_c) {
+std::string text_of(control::EventType type, double temperature_c) {
   control::Event event;
   event.type = type;
   event.limit_a = 9.0;
@@ -20,11 +20,11 @@ std::string told(control::EventType type, double temperature_c) {
   return protocol::encode_event(event_view(event, nullptr, 0, {}).value());
 }
 
-TEST(EventView, ATemperatureThatNobodyKnowsIsLeftOut) {
+TEST(EventView, AnUnknownTemperatureIsLeftOut) {
   for (const auto type :
        {control::EventType::kDeratingStarted, control::EventType::kDeratingEnded}) {
-    EXPECT_NE(told(type, 61.234).find(R"("temperature_c":61.23)"), std::string::npos);
-    const std::string unknown = told(type, std::numeric_limits<double>::infinity());
+    EXPECT_NE(text_of(type, 61.234).find(R"("temperature_c":61.23)"), std::string::npos);
+    const std::string unknown = text_of(type, std::numeric_limits<double>::infinity());
     EXPECT_EQ(unknown.find("temperature_c"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find(R"("limit_a":9)"), std::string::npos);
   }

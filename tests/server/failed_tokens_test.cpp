@@ -15,7 +15,7 @@ void fail(FailedTokens& failed, const std::string& key, int times, model::Tick n
   for (int i = 0; i < times; ++i) failed.failed(key, now);
 }
 
-TEST(FailedTokens, AFewCostNothing) {
+TEST(FailedTokens, AFewCauseNoWait) {
   FailedTokens failed;
   fail(failed, "a", F::kFree);
   EXPECT_EQ(failed.remaining("a", 0), 0);
@@ -38,7 +38,7 @@ TEST(FailedTokens, EachFurtherOneWaitsTwiceAsLongUpToAMinute) {
   EXPECT_EQ(failed.remaining("a", now), F::kMaxWait);
 }
 
-TEST(FailedTokens, OthersAndThoseWhoSucceedDoNotWait) {
+TEST(FailedTokens, OtherAddressesAndSuccessesCauseNoWait) {
   FailedTokens failed;
   fail(failed, "a", 10);
   EXPECT_EQ(failed.remaining("b", 0), 0);
@@ -47,14 +47,14 @@ TEST(FailedTokens, OthersAndThoseWhoSucceedDoNotWait) {
   EXPECT_EQ(failed.size(), 0u);
 }
 
-TEST(FailedTokens, AreForgottenAfterTenMinutes) {
+TEST(FailedTokens, ExpireAfterTenMinutes) {
   FailedTokens failed;
   fail(failed, "a", F::kFree + 5);
   failed.failed("a", F::kMemory + 1);
   EXPECT_EQ(failed.remaining("a", F::kMemory + 1), 0) << "it counts from one again";
 }
 
-TEST(FailedTokens, OfMoreAddressesThanFitTheOldestIsForgotten) {
+TEST(FailedTokens, OfTooManyAddressesTheOldestIsRemoved) {
   FailedTokens failed;
   for (std::size_t i = 0; i < F::kMaxAddresses; ++i)
     fail(failed, std::to_string(i), F::kFree + 1, static_cast<model::Tick>(i));

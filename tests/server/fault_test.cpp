@@ -8,7 +8,7 @@
 namespace hedgehog::server {
 namespace {
 
-TEST(Faults, AFaultTripsWithItsNameAndArmingSaysWhyNot) {
+TEST(Faults, AFaultTripsWithItsNameAndArmingReturnsTheReason) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   rig.call(owner, "events.subscribe");
@@ -70,7 +70,7 @@ TEST(Faults, AnOldReadingIsNullAndItsAgeGrows) {
   EXPECT_NEAR(temperature()["age_ms"], 705, 15);
 }
 
-TEST(Faults, TheBoardGuardsTheLimitsOfTheConfiguration) {
+TEST(Faults, TheBoardEnforcesTheLimitsOfTheConfiguration) {
   config::Config config;
   config.limits.current_a = 8.0;
   config.limits.trip_c = 62.0;
@@ -91,7 +91,7 @@ TEST(Faults, TheBoardGuardsTheLimitsOfTheConfiguration) {
   EXPECT_DOUBLE_EQ(usual.device_view->now().board.limit_sensor_c, 75.0);
 }
 
-TEST(Faults, ATripIsRememberedWithWhatItWasAndWhoPlayed) {
+TEST(Faults, ATripIsRecordedWithItsValuesAndClients) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "hello", {{"client", "Racer/1.2"}});
@@ -129,10 +129,10 @@ TEST(Faults, ABoardThatFallsSilentUnderCurrentIsATripAndItsLatchIsCountedOnce) {
   const auto& trips = rig.server->counters().trips;
   silent({"silent"});
   EXPECT_EQ(trips.at("telemetry_lost"), 1);
-  const Json told = rig.call(owner, "events.history", {{"types", {"state_changed"}}})["events"];
-  EXPECT_EQ(told.back()["state"], "absent");
-  EXPECT_NEAR(told.back()["current_a"].get<double>(), 5.0, 0.5) << "what it ended";
-  EXPECT_EQ(told.back()["method"], "effect.hold");
+  const Json events = rig.call(owner, "events.history", {{"types", {"state_changed"}}})["events"];
+  EXPECT_EQ(events.back()["state"], "absent");
+  EXPECT_NEAR(events.back()["current_a"].get<double>(), 5.0, 0.5) << "what it ended";
+  EXPECT_EQ(events.back()["method"], "effect.hold");
 
   silent(Json::array());
   rig.call(owner, "device.arm");
@@ -145,7 +145,7 @@ TEST(Faults, ABoardThatFallsSilentUnderCurrentIsATripAndItsLatchIsCountedOnce) {
   EXPECT_EQ(trips.at("sensor_open"), 1) << "the latch that was there";
 }
 
-TEST(Faults, ABallThatIsGoneIsAbsent) {
+TEST(Faults, ADisconnectedBallIsAbsent) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   rig.call(owner, "effect.hold", {{"direction", "left"}, {"current_a", 8}, {"lease_ms", 10000}});
@@ -184,12 +184,12 @@ TEST(Faults, AnEmergencyStopIsAnsweredWhenItsLatchIsOnDiskAndStopsBeforeThat) {
   FakeClient& owner = rig.connect();
   rig.call(owner, "effect.hold", {{"direction", "left"}, {"current_a", 5}, {"lease_ms", 5000}});
   rig.run(100);
-  rig.memory.persisted = Persisted::kPending;
+  rig.state_store.persisted = Persisted::kPending;
   rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
   rig.run(50);
   EXPECT_LT(rig.plant_current_a(), 0.1);
   EXPECT_TRUE(owner.lines.empty());
-  rig.memory.persisted = Persisted::kYes;
+  rig.state_store.persisted = Persisted::kYes;
   rig.run(1);
   ASSERT_EQ(owner.lines.size(), 1u);
   const Json result = Json::parse(owner.lines[0].text)["result"];
@@ -197,17 +197,17 @@ TEST(Faults, AnEmergencyStopIsAnsweredWhenItsLatchIsOnDiskAndStopsBeforeThat) {
   EXPECT_EQ(result["on_disk"], true);
 }
 
-TEST(Faults, AnEmergencyStopWhoseLatchTheDiskRefusesSaysSo) {
+TEST(Faults, AnEmergencyStopReportsALatchThatIsNotPersisted) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
-  rig.memory.persisted = Persisted::kNo;
+  rig.state_store.persisted = Persisted::kNo;
   const Json result = rig.call(owner, "device.emergency_stop");
   EXPECT_EQ(result["state"], "disarmed");
   EXPECT_EQ(result["on_disk"], false);
   EXPECT_FALSE(rig.call(owner, "device.arm").contains("on_disk")) << "of a stop only";
 }
 
-TEST(Faults, AnAnswerThatTakesATickReachesAClientThatSaysNoMore) {
+TEST(Faults, ADelayedResponseReachesAHalfClosedClient) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   const char* stop = R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})";
@@ -222,12 +222,12 @@ TEST(Faults, AnAnswerThatTakesATickReachesAClientThatSaysNoMore) {
   EXPECT_EQ(rig.server->connections(), 0u);
 }
 
-TEST(Faults, WhoIsGoneBeforeItsAnswerIsForgotten) {
+TEST(Faults, ARequestOfADisconnectedClientIsDropped) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
   rig.disconnect(owner);
-  rig.server->forget(owner.session);
+  rig.server->drop_responses(owner.session);
   owner.session.sink = nullptr;
   EXPECT_EQ(rig.server->connections(), 0u);
   rig.run(5);
@@ -235,51 +235,51 @@ TEST(Faults, WhoIsGoneBeforeItsAnswerIsForgotten) {
   EXPECT_FALSE(owner.finished);
 }
 
-std::string batch(std::size_t count, const std::string& method, bool answered) {
+std::string batch(std::size_t count, const std::string& method, bool with_ids) {
   Json requests = Json::array();
   for (std::size_t i = 0; i < count; ++i) {
     Json request{{"jsonrpc", "2.0"}, {"method", method}};
-    if (answered) request["id"] = i;
+    if (with_ids) request["id"] = i;
     requests.push_back(std::move(request));
   }
   return requests.dump();
 }
 
-TEST(Faults, ABatchMayAskForEightAndANotificationForNone) {
+TEST(Faults, ABatchMayRequestEightAndANotificationNone) {
   ServerRig rig;
   for (int i = 1; i <= 5'000; ++i)
     rig.history.record({.type = "derating_ended", .time_ns = i}, i, nullptr);
   FakeClient& client = rig.connect(protocol::Role::kObserve);
-  const Json answers = rig.say(client, batch(64, "events.history", true));
-  ASSERT_EQ(answers.size(), 64u);
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
-  EXPECT_EQ(answers[8]["error"]["code"], -32001);
-  EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
-  const auto asked = rig.server->counters().requests;
+  const Json responses = rig.exchange(client, batch(64, "events.history", true));
+  ASSERT_EQ(responses.size(), 64u);
+  for (std::size_t i = 0; i < responses.size(); ++i)
+    EXPECT_EQ(responses[i].contains("result"), i < 8) << i;
+  EXPECT_EQ(responses[8]["error"]["code"], -32001);
+  EXPECT_EQ(responses[8]["error"]["data"]["limit"], 8);
+  const auto count_before = rig.server->counters().requests;
   rig.server->line(client.session, batch(64, "events.history", false));
-  EXPECT_EQ(rig.server->counters().requests, asked) << "nobody reads it";
+  EXPECT_EQ(rig.server->counters().requests, count_before) << "nobody reads it";
 }
 
-TEST(Faults, WhoAsksADaemonThatEndsIsToldSoAndAStopIsStillALatch) {
+TEST(Faults, RequestsDuringAShutdownAreRefusedAndAStopStillLatches) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.server->announce_shutdown("stop");
-  const std::map<std::string, Json> asked{{"effect.pulse", {{"direction", "left"}}},
-                                          {"output.set_gain", {{"gain", 0.5}}},
-                                          {"ping", Json::object()}};
-  for (const auto& [method, params] : asked) {
+  const std::map<std::string, Json> requests{{"effect.pulse", {{"direction", "left"}}},
+                                             {"output.set_gain", {{"gain", 0.5}}},
+                                             {"ping", Json::object()}};
+  for (const auto& [method, params] : requests) {
     const Json refused = rig.call(game, method, params);
     EXPECT_EQ(refused["message"], "busy: the daemon is stopping") << method;
     EXPECT_EQ(refused["data"]["retry_after_ms"], 1000);
   }
   rig.run(10);
   EXPECT_LT(rig.plant_current_a(), 0.1);
-  EXPECT_EQ(rig.memory.gain, -1.0);
+  EXPECT_EQ(rig.state_store.gain, -1.0);
   game.lines.clear();
   rig.server->line(game.session,
                    R"({"jsonrpc":"2.0","id":"stop","method":"device.emergency_stop"})");
-  EXPECT_EQ(rig.memory.latch, control::Reason::kEmergencyStop);
+  EXPECT_EQ(rig.state_store.latch, control::Reason::kEmergencyStop);
   ASSERT_EQ(game.lines.size(), 1u) << "no tick comes any more that the answer could wait for";
   const Json stopped = Json::parse(game.lines.front().text);
   EXPECT_EQ(stopped["id"], "stop");

@@ -20,7 +20,7 @@
 namespace hedgehog::server {
 namespace {
 
-TEST(FileStateStore, TheOrderlyStopIsTheLastThingThatIsWritten) {
+TEST(FileStateStore, TheOrderlyStopIsWrittenLast) {
   const auto folder = std::filesystem::temp_directory_path() /
                       ("hedgehog-state-keeper-test-" + std::to_string(getpid()));
   std::filesystem::create_directory(folder);
@@ -34,10 +34,10 @@ TEST(FileStateStore, TheOrderlyStopIsTheLastThingThatIsWritten) {
   {
     DiskThread disk;
     ASSERT_TRUE(disk.post(DiskUse::kSafety, [wait = slow.get_future().share()] { wait.wait(); }));
-    FileStateStore keeper(folder.string(), disk, device_view, std::nullopt);
-    keeper.persist_gain(0.5);
-    keeper.pump();  // queued behind the slow job
-    keeper.stopped_cleanly();
+    FileStateStore store(folder.string(), disk, device_view, std::nullopt);
+    store.persist_gain(0.5);
+    store.pump();  // queued behind the slow job
+    store.stopped_cleanly();
     slow.set_value();
   }
   const auto state = load_saved_state(folder.string());
@@ -47,7 +47,7 @@ TEST(FileStateStore, TheOrderlyStopIsTheLastThingThatIsWritten) {
   EXPECT_EQ(state->gain, 0.5);
 }
 
-TEST(FileStateStore, TheHeatOfTheLastRunStaysUntilAThermistorHasBeenSeen) {
+TEST(FileStateStore, TheHeatOfTheLastRunIsKeptUntilTheFirstReading) {
   const auto folder = std::filesystem::temp_directory_path() /
                       ("hedgehog-state-keeper-heat-test-" + std::to_string(getpid()));
   std::filesystem::create_directory(folder);
@@ -65,15 +65,15 @@ TEST(FileStateStore, TheHeatOfTheLastRunStaysUntilAThermistorHasBeenSeen) {
   const auto after = [&](auto&& what) {
     {
       DiskThread disk;
-      FileStateStore keeper(folder.string(), disk, device_view, last);
-      what(keeper);
-      keeper.stopped_cleanly();
+      FileStateStore store(folder.string(), disk, device_view, last);
+      what(store);
+      store.stopped_cleanly();
     }
     return load_saved_state(folder.string()).value_or(SavedState{});
   };
-  const SavedState without_board = after([](FileStateStore& keeper) {
-    keeper.persist_latch(control::Reason::kEmergencyStop);
-    keeper.pump();
+  const SavedState without_board = after([](FileStateStore& store) {
+    store.persist_latch(control::Reason::kEmergencyStop);
+    store.pump();
   });
   EXPECT_TRUE(without_board.heat_known);
   EXPECT_EQ(without_board.heat.winding_c, last.heat.winding_c);
@@ -86,7 +86,7 @@ TEST(FileStateStore, TheHeatOfTheLastRunStaysUntilAThermistorHasBeenSeen) {
   snapshot.thermal.measured = {false, true, false};
   mailbox->status.write(snapshot);
   device_view.refresh();
-  const SavedState with_board = after([](FileStateStore& keeper) { keeper.pump(); });
+  const SavedState with_board = after([](FileStateStore& store) { store.pump(); });
   std::filesystem::remove_all(folder);
   EXPECT_EQ(with_board.heat.winding_c, snapshot.thermal.nodes.winding_c);
   EXPECT_TRUE(with_board.heat_known);
@@ -106,9 +106,9 @@ TEST(FileStateStore, R25OfEachStartIsKeptAndCounted) {
     mailbox->status.write(snapshot);
     device_view.refresh();
     DiskThread disk;
-    FileStateStore keeper(folder.path(), disk, device_view, load_saved_state(folder.path()));
-    keeper.pump();
-    keeper.pump();
+    FileStateStore store(folder.path(), disk, device_view, load_saved_state(folder.path()));
+    store.pump();
+    store.pump();
   };
   const auto kept = [&] { return load_saved_state(folder.path())->r25; };
   run({0.45, 0.0, 0.44});
@@ -124,11 +124,11 @@ TEST(FileStateStore, R25OfEachStartIsKeptAndCounted) {
 struct RefusingDisk : testing::Test {
   void SetUp() override {
     snapshot.tick = 1;
-    say();
+    exchange();
     last.clean_stop = true;
     ASSERT_EQ(base::write_file_atomically(folder.path("state.json"), encode(last)), "");
   }
-  void say() {
+  void exchange() {
     mailbox->status.write(snapshot);
     device_view.refresh();
   }
@@ -157,85 +157,85 @@ struct RefusingDisk : testing::Test {
   std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
 };
 
-TEST_F(RefusingDisk, DoesNotKeepTheWordOfTheLastOrderlyStop) {
+TEST_F(RefusingDisk, DoesNotKeepTheMarkOfTheLastOrderlyStop) {
   ASSERT_TRUE(next_start_arms());
   refuse();
   DiskThread disk;
-  FileStateStore keeper(folder.path(), disk, device_view, last);
+  FileStateStore store(folder.path(), disk, device_view, last);
   EXPECT_FALSE(next_start_arms()) << "a kill from here on is no orderly stop";
-  keeper.persist_latch(control::Reason::kEmergencyStop);
-  keeper.stopped_cleanly();
+  store.persist_latch(control::Reason::kEmergencyStop);
+  store.stopped_cleanly();
   settle(disk);
   EXPECT_FALSE(next_start_arms());
 }
 
-TEST_F(RefusingDisk, IsAskedAgainEachSecondUntilItHasTheLatch) {
+TEST_F(RefusingDisk, IsRetriedEachSecondUntilTheLatchIsWritten) {
   DiskThread disk;
-  FileStateStore keeper(folder.path(), disk, device_view, last);
+  FileStateStore store(folder.path(), disk, device_view, last);
   refuse();
-  keeper.pump(now);
+  store.pump(now);
   snapshot.latch = control::Reason::kEmergencyStop;
-  say();
-  keeper.persist_latch(control::Reason::kEmergencyStop);
+  exchange();
+  store.persist_latch(control::Reason::kEmergencyStop);
   settle(disk);
-  keeper.pump(now += std::chrono::seconds(1));
+  store.pump(now += std::chrono::seconds(1));
   settle(disk);
   EXPECT_EQ(on_disk()->latch, control::Reason::kNone);
   EXPECT_FALSE(next_start_arms());
   allow();
-  keeper.pump(now += std::chrono::milliseconds(900));
+  store.pump(now += std::chrono::milliseconds(900));
   settle(disk);
   EXPECT_EQ(on_disk()->latch, control::Reason::kNone) << "not as fast as it turns";
-  keeper.pump(now += std::chrono::milliseconds(100));
+  store.pump(now += std::chrono::milliseconds(100));
   settle(disk);
   ASSERT_EQ(on_disk()->latch, control::Reason::kEmergencyStop);
   std::filesystem::remove(folder.path("state.json"));
-  keeper.pump(now += std::chrono::seconds(5));
+  store.pump(now += std::chrono::seconds(5));
   settle(disk);
   EXPECT_FALSE(on_disk()) << "written again without need";
 }
 
-TEST_F(RefusingDisk, SaysWhetherTheLatchIsOnDisk) {
+TEST_F(RefusingDisk, ReportsWhetherTheLatchIsOnDisk) {
   DiskThread disk;
-  FileStateStore keeper(folder.path(), disk, device_view, last);
+  FileStateStore store(folder.path(), disk, device_view, last);
   std::promise<void> slow;
   ASSERT_TRUE(disk.post(DiskUse::kSafety, [wait = slow.get_future().share()] { wait.wait(); }));
-  const std::uint64_t first = keeper.persist_latch(control::Reason::kEmergencyStop);
-  EXPECT_EQ(keeper.latch_persisted(first), Persisted::kPending);
+  const std::uint64_t first = store.persist_latch(control::Reason::kEmergencyStop);
+  EXPECT_EQ(store.latch_persisted(first), Persisted::kPending);
   slow.set_value();
   settle(disk);
-  EXPECT_EQ(keeper.latch_persisted(first), Persisted::kYes);
+  EXPECT_EQ(store.latch_persisted(first), Persisted::kYes);
   EXPECT_EQ(on_disk()->latch, control::Reason::kEmergencyStop);
   refuse();
-  const std::uint64_t second = keeper.persist_latch(control::Reason::kEmergencyStop);
-  EXPECT_EQ(keeper.latch_persisted(first), Persisted::kYes)
+  const std::uint64_t second = store.persist_latch(control::Reason::kEmergencyStop);
+  EXPECT_EQ(store.latch_persisted(first), Persisted::kYes)
       << "whoever asks again does not hold it up";
   settle(disk);
-  EXPECT_EQ(keeper.latch_persisted(second), Persisted::kNo);
+  EXPECT_EQ(store.latch_persisted(second), Persisted::kNo);
   allow();
-  keeper.pump(now);
+  store.pump(now);
   settle(disk);
-  EXPECT_EQ(keeper.latch_persisted(second), Persisted::kYes) << "asked again";
+  EXPECT_EQ(store.latch_persisted(second), Persisted::kYes) << "asked again";
 }
 
-TEST_F(RefusingDisk, WhatAKillHasCutOffIsRemovedBesideAWholeFile) {
+TEST_F(RefusingDisk, APartialFileOfAKillIsRemovedBesideAValidOne) {
   folder.write("state.json.new", "{");
   folder.write("state.json", encode(last));
   DiskThread disk;
-  const FileStateStore keeper(folder.path(), disk, device_view, std::nullopt);
+  const FileStateStore store(folder.path(), disk, device_view, std::nullopt);
   EXPECT_FALSE(std::filesystem::exists(folder.path("state.json.new")));
   EXPECT_TRUE(std::filesystem::exists(folder.path("state.json")));
 }
 
-TEST_F(RefusingDisk, DoesNotKeepAnOrderlyStopThatAnEmergencyStopFollowed) {
+TEST_F(RefusingDisk, DoesNotKeepAnOrderlyStopBeforeAnEmergencyStop) {
   {
     DiskThread disk;
-    FileStateStore keeper(folder.path(), disk, device_view, last);
-    keeper.stopped_cleanly();
+    FileStateStore store(folder.path(), disk, device_view, last);
+    store.stopped_cleanly();
     settle(disk);
     ASSERT_TRUE(next_start_arms());
     refuse();
-    keeper.persist_latch(control::Reason::kEmergencyStop);
+    store.persist_latch(control::Reason::kEmergencyStop);
   }
   EXPECT_FALSE(next_start_arms());
 }

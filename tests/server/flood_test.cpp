@@ -14,7 +14,7 @@ namespace {
 
 Json left_pulse() { return {{"direction", "left"}}; }
 
-TEST(Registry, NoEffectHasTheNumberThatMarksAFreePlace) {
+TEST(Registry, NoEffectHasTheNumberOfAFreePlace) {
   EffectRegistry registry(std::numeric_limits<control::EffectId>::max() - 1);
   EXPECT_EQ(registry.add(7).id, std::numeric_limits<control::EffectId>::max());
   const Effect& next = registry.add(7);
@@ -23,7 +23,7 @@ TEST(Registry, NoEffectHasTheNumberThatMarksAFreePlace) {
   EXPECT_EQ(registry.playing(7).size(), 2u);
 }
 
-TEST(Flood, WhoFloodsIsBusyAndOthersAreNot) {
+TEST(Flood, AFloodingClientIsBusyAndOthersAreNot) {
   ServerRig rig;
   FakeClient& flood = rig.connect();
   FakeClient& game = rig.connect();
@@ -47,7 +47,7 @@ Json playing(ServerRig& rig, FakeClient& client) {
   return rig.call(client, "device.status")["effects"];
 }
 
-TEST(Flood, ASlotThatIsFilledFasterThanTheTickHasTheLast) {
+TEST(Flood, StartsInASlotWithinOneTickCoalesce) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "events.subscribe");
@@ -65,13 +65,13 @@ TEST(Flood, ASlotThatIsFilledFasterThanTheTickHasTheLast) {
     rig.run(1);
   }
   Json last;
-  int answers = 0;
+  int responses = 0;
   for (const auto& line : game.lines) {
     if (line.kind != LineKind::kResponse) continue;
     last = Json::parse(line.text);
-    answers += last.contains("result");
+    responses += last.contains("result");
   }
-  EXPECT_EQ(answers, 3 * kStarts) << "none was busy";
+  EXPECT_EQ(responses, 3 * kStarts) << "none was busy";
   rig.run(5);
   FakeClient& watcher = rig.connect();
   const Json effects = playing(rig, watcher);
@@ -89,7 +89,7 @@ TEST(Flood, ASlotThatIsFilledFasterThanTheTickHasTheLast) {
   EXPECT_TRUE(playing(rig, watcher).empty());
 }
 
-TEST(Flood, APatternThatIsSentFasterThanTheTickCoalescesToo) {
+TEST(Flood, PatternsInASlotWithinOneTickCoalesceToo) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   for (int i = 1; i <= 500; ++i) {
@@ -107,11 +107,11 @@ TEST(Flood, APatternThatIsSentFasterThanTheTickCoalescesToo) {
   EXPECT_NEAR(effects[0]["current_a"].get<double>(), 5.0, 1e-6);
 }
 
-TEST(Flood, WhatWaitsForItsTickIsStoppedUpdatedAndForgottenAsIfItPlayed) {
+TEST(Flood, AWaitingStartIsStoppedUpdatedAndDroppedAsIfItPlayed) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   const auto hold = [&](double current_a) {
-    return rig.say(
+    return rig.exchange(
         game, Json{{"jsonrpc", "2.0"},
                    {"id", 1},
                    {"method", "effect.hold"},
@@ -119,11 +119,11 @@ TEST(Flood, WhatWaitsForItsTickIsStoppedUpdatedAndForgottenAsIfItPlayed) {
                   .dump());
   };
   const auto update = [&](double current_a) {
-    return rig.say(game, Json{{"jsonrpc", "2.0"},
-                              {"id", 1},
-                              {"method", "effect.update"},
-                              {"params", {{"slot", "x"}, {"current_a", current_a}}}}
-                             .dump());
+    return rig.exchange(game, Json{{"jsonrpc", "2.0"},
+                                   {"id", 1},
+                                   {"method", "effect.update"},
+                                   {"params", {{"slot", "x"}, {"current_a", current_a}}}}
+                                  .dump());
   };
   hold(1);
   hold(2);
@@ -134,7 +134,7 @@ TEST(Flood, WhatWaitsForItsTickIsStoppedUpdatedAndForgottenAsIfItPlayed) {
   EXPECT_NEAR(playing(rig, game)[0]["current_a"].get<double>(), 4, 1e-6) << "the last";
   hold(1);
   hold(2);
-  rig.say(game, R"({"jsonrpc":"2.0","id":1,"method":"effect.stop","params":{"slot":"x"}})");
+  rig.exchange(game, R"({"jsonrpc":"2.0","id":1,"method":"effect.stop","params":{"slot":"x"}})");
   rig.run(5);
   EXPECT_TRUE(playing(rig, game).empty());
   FakeClient& watcher = rig.connect();
@@ -145,7 +145,7 @@ TEST(Flood, WhatWaitsForItsTickIsStoppedUpdatedAndForgottenAsIfItPlayed) {
   EXPECT_TRUE(playing(rig, watcher).empty());
 }
 
-TEST(Flood, OfManyKeepsNobodyOut) {
+TEST(Flood, OfManyClientsBlocksNoOther) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   std::vector<FakeClient*> flood;
@@ -169,7 +169,7 @@ TEST(Flood, OfManyKeepsNobodyOut) {
   EXPECT_EQ(served, kPulses);
 }
 
-TEST(Registry, ManyEndingOnesLeaveAsManyPlacesToOthersAndTheLastToNewcomers) {
+TEST(Registry, ManyEndingOnesLeavePlacesForOthersAndTheLastForNewOwners) {
   EffectRegistry registry;
   std::vector<int> held;
   for (ConnectionId owner = 1; owner <= 8; ++owner) {

@@ -17,12 +17,12 @@ namespace hedgehog::server {
 namespace {
 
 /// One end of a connection; the other end belongs to an unauthenticated client.
-class Stranger {
+class HalfOpenClient {
  public:
-  Stranger() { EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends_.data()), 0); }
-  Stranger(const Stranger&) = delete;
-  Stranger& operator=(const Stranger&) = delete;
-  ~Stranger() {
+  HalfOpenClient() { EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends_.data()), 0); }
+  HalfOpenClient(const HalfOpenClient&) = delete;
+  HalfOpenClient& operator=(const HalfOpenClient&) = delete;
+  ~HalfOpenClient() {
     ticket.release();
     for (const int fd : ends_) ::close(fd);
   }
@@ -40,25 +40,25 @@ class Stranger {
 
 class HalfOpenTickets : public testing::Test {
  protected:
-  Stranger& enter(const std::string& address) {
-    Stranger& stranger = strangers_.emplace_back();
-    stranger.ticket = half_open_->enter(stranger.descriptor(), address);
-    return stranger;
+  HalfOpenClient& enter(const std::string& address) {
+    HalfOpenClient& client = clients_.emplace_back();
+    client.ticket = half_open_->enter(client.descriptor(), address);
+    return client;
   }
   static std::string host(std::size_t i) { return "192.0.2." + std::to_string(i) + ":1"; }
 
   boost::asio::io_context io_{1};
   std::shared_ptr<HalfOpen> half_open_ =
       std::make_shared<HalfOpen>(io_.get_executor(), std::chrono::milliseconds(20));
-  std::deque<Stranger> strangers_;
+  std::deque<HalfOpenClient> clients_;
 };
 
-TEST_F(HalfOpenTickets, OfOneAddressTheOldestGivesWay) {
-  std::vector<Stranger*> all;
+TEST_F(HalfOpenTickets, OfOneAddressTheOldestIsDropped) {
+  std::vector<HalfOpenClient*> all;
   for (std::size_t i = 0; i < HalfOpen::kMaxOfAddress; ++i)
     all.push_back(&enter("192.0.2.7:" + std::to_string(i)));
-  Stranger& other = enter("192.0.2.8:1");
-  for (const Stranger* one : all) EXPECT_FALSE(one->is_disconnected());
+  HalfOpenClient& other = enter("192.0.2.8:1");
+  for (const HalfOpenClient* one : all) EXPECT_FALSE(one->is_disconnected());
   enter("192.0.2.7:99");
   EXPECT_TRUE(all[0]->is_disconnected());
   EXPECT_FALSE(all[1]->is_disconnected());
@@ -68,8 +68,8 @@ TEST_F(HalfOpenTickets, OfOneAddressTheOldestGivesWay) {
   EXPECT_EQ(half_open_->disconnected(), 2u);
 }
 
-TEST_F(HalfOpenTickets, OfAllTheOldestGivesWay) {
-  std::vector<Stranger*> all;
+TEST_F(HalfOpenTickets, OfAllTheOldestIsDropped) {
+  std::vector<HalfOpenClient*> all;
   for (std::size_t i = 0; i < HalfOpen::kMax; ++i) all.push_back(&enter(host(i)));
   EXPECT_EQ(half_open_->disconnected(), 0u);
   EXPECT_FALSE(enter(host(200)).is_disconnected());
@@ -77,9 +77,9 @@ TEST_F(HalfOpenTickets, OfAllTheOldestGivesWay) {
   EXPECT_FALSE(all[1]->is_disconnected());
 }
 
-TEST_F(HalfOpenTickets, WhoTakesTooLongIsDisconnected) {
-  Stranger& slow = enter(host(1));
-  Stranger& known = enter(host(2));
+TEST_F(HalfOpenTickets, ASlowHandshakeIsDisconnected) {
+  HalfOpenClient& slow = enter(host(1));
+  HalfOpenClient& known = enter(host(2));
   known.ticket.release();
   io_.run();
   EXPECT_TRUE(slow.is_disconnected());
@@ -90,7 +90,7 @@ TEST_F(HalfOpenTickets, WhoTakesTooLongIsDisconnected) {
 }
 
 TEST_F(HalfOpenTickets, ATicketMovesWithItsConnection) {
-  Stranger& one = enter(host(1));
+  HalfOpenClient& one = enter(host(1));
   HalfOpen::Ticket moved = std::move(one.ticket);
   EXPECT_FALSE(one.ticket);
   EXPECT_EQ(half_open_->size(), 1u);
@@ -99,7 +99,7 @@ TEST_F(HalfOpenTickets, ATicketMovesWithItsConnection) {
 }
 
 TEST_F(HalfOpenTickets, MayOutliveTheListener) {
-  Stranger& one = enter(host(1));
+  HalfOpenClient& one = enter(host(1));
   half_open_.reset();
   one.ticket.release();
   EXPECT_FALSE(one.ticket);

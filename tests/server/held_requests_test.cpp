@@ -13,7 +13,7 @@ std::string request(int id, const std::string& method, const Json& params = Json
   return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}}.dump();
 }
 
-TEST(Held, WhatWasSentBeforeAStopStartsNothingAfterIt) {
+TEST(Held, RequestsBeforeAStopStartNothingAfterIt) {
   ServerRig rig;
   FakeClient& client = rig.connect();
   rig.call(client, "device.emergency_stop");
@@ -34,7 +34,7 @@ TEST(Held, WhatWasSentBeforeAStopStartsNothingAfterIt) {
   EXPECT_EQ(rig.call(client, "device.arm")["state"], "armed");
 }
 
-TEST(Held, WhoClosesEndsItsEffectsAtOnceAndGetsTheAnswersThatAreHeld) {
+TEST(Held, AHalfCloseEndsTheEffectsAtOnceAndHeldResponsesAreSent) {
   ServerRig rig;
   FakeClient& watcher = rig.connect();
   rig.call(watcher, "events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
@@ -57,9 +57,9 @@ TEST(Held, WhoClosesEndsItsEffectsAtOnceAndGetsTheAnswersThatAreHeld) {
   EXPECT_TRUE(client.finished);
 }
 
-TEST(Held, AnswersThatWaitForOthersOfTheirBatchCount) {
+TEST(Held, ResponsesThatWaitForTheirBatchCount) {
   ServerRig rig;
-  rig.memory.persisted = Persisted::kPending;
+  rig.state_store.persisted = Persisted::kPending;
   FakeClient& client = rig.connect();
   std::string batch = "[";
   for (int i = 0; i < 30; ++i) batch += request(i, "device.describe") + ",";
@@ -69,7 +69,7 @@ TEST(Held, AnswersThatWaitForOthersOfTheirBatchCount) {
   EXPECT_GT(open, 100'000u);
   rig.server->line(client.session, request(31, "device.emergency_stop"));
   EXPECT_EQ(client.session.open_bytes, open + Dispatcher::kReservedBytes);
-  rig.memory.persisted = Persisted::kYes;
+  rig.state_store.persisted = Persisted::kYes;
   rig.run(5);
   ASSERT_EQ(client.lines.size(), 2u);
   EXPECT_EQ(Json::parse(client.lines[0].text).size(), 31u);
@@ -77,23 +77,23 @@ TEST(Held, AnswersThatWaitForOthersOfTheirBatchCount) {
   EXPECT_EQ(client.session.open_bytes, 0u);
 }
 
-TEST(Held, AnswersToComeCountAgainstTheLimitOfABatch) {
+TEST(Held, PendingResponsesCountAgainstTheLimitOfABatch) {
   ServerRig rig;
-  rig.memory.persisted = Persisted::kPending;
+  rig.state_store.persisted = Persisted::kPending;
   FakeClient& client = rig.connect();
   client.session.batch_bytes = 4 * Dispatcher::kReservedBytes;
   std::string batch = "[";
   for (int i = 0; i < 5; ++i) batch += request(i, "device.emergency_stop") + ",";
   rig.server->line(client.session, batch + request(5, "ping") + "]");
-  rig.memory.persisted = Persisted::kYes;
+  rig.state_store.persisted = Persisted::kYes;
   rig.run(5);
   ASSERT_EQ(client.lines.size(), 1u);
-  const Json answers = Json::parse(client.lines[0].text);
-  EXPECT_TRUE(answers[4].contains("result")) << "a stop is carried out whatever waits";
-  EXPECT_EQ(answers[5]["error"]["code"], -32001);
+  const Json responses = Json::parse(client.lines[0].text);
+  EXPECT_TRUE(responses[4].contains("result")) << "a stop is carried out whatever waits";
+  EXPECT_EQ(responses[5]["error"]["code"], -32001);
 }
 
-TEST(Held, AnEmergencyStopIsFoundWhereverItIsInALine) {
+TEST(Held, AnEmergencyStopIsFoundAtAnyPositionOfALine) {
   EXPECT_TRUE(Server::has_emergency_stop(request(1, "device.emergency_stop")));
   EXPECT_TRUE(Server::has_emergency_stop("[" + request(1, "ping") + "," +
                                          request(2, "device.emergency_stop") + "]"));

@@ -36,7 +36,7 @@ class HistoryFiles : public testing::Test {
   HistoryTexts texts_;
 };
 
-TEST_F(HistoryFiles, AreAppendedToAndTurnedOver) {
+TEST_F(HistoryFiles, AreAppendedToAndRotated) {
   EXPECT_EQ(write(HistoryPart::kBall, "one\n"), "");
   EXPECT_EQ(write(HistoryPart::kBall, "two\n"), "");
   EXPECT_EQ(write(HistoryPart::kBall, "three\n", true), "");
@@ -47,13 +47,13 @@ TEST_F(HistoryFiles, AreAppendedToAndTurnedOver) {
   EXPECT_EQ(text(HistoryPart::kEffects).filling, "four\n");
 }
 
-TEST_F(HistoryFiles, NothingGrowsOntoALineThatWasCutOff) {
+TEST_F(HistoryFiles, NothingIsAppendedToAPartialLine) {
   EXPECT_EQ(write(HistoryPart::kTrips, R"({"at":"2026)"), "");
   EXPECT_EQ(write(HistoryPart::kTrips, "two\n"), "");
   EXPECT_EQ(text(HistoryPart::kTrips).filling, "{\"at\":\"2026\ntwo\n");
 }
 
-TEST_F(HistoryFiles, AnAppendThatFailsHalfwayLeavesNothingAndTurnsNothingOverTwice) {
+TEST_F(HistoryFiles, AFailedAppendLeavesNothingAndRotatesOnlyOnce) {
   const std::string much(500'000, 'x');  // larger than the limit of a log on stdout
   EXPECT_EQ(write(HistoryPart::kTrips, much + "\n"), "");
   std::signal(SIGXFSZ, SIG_IGN);
@@ -72,7 +72,7 @@ TEST_F(HistoryFiles, AnAppendThatFailsHalfwayLeavesNothingAndTurnsNothingOverTwi
   EXPECT_EQ(text(HistoryPart::kTrips).filling, "two\n");
 }
 
-TEST_F(HistoryFiles, WhatIsNoRegularFileIsNeitherReadNorWritten) {
+TEST_F(HistoryFiles, AreNeitherReadNorWrittenIfNotRegular) {
   ASSERT_EQ(::mkfifo(temporary_.path("trips.jsonl").c_str(), 0600), 0);
   ASSERT_EQ(::mkfifo(temporary_.path("effects.jsonl.1").c_str(), 0600), 0);
   std::filesystem::create_symlink("/dev/zero", temporary_.path("events.jsonl"));

@@ -28,33 +28,36 @@ std::size_t lines_in(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-TEST(History, TypesSinceAndLimitChoose) {
+TEST(History, IsFilteredByTypesSinceAndLimit) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   for (int i = 0; i < 10; ++i) {
     rig.call(game, "effect.pulse", {{"direction", "left"}, {"duration_ms", 5}});
     rig.run(15);
   }
-  const auto ask = [&](const Json& params) { return rig.call(game, "events.history", params); };
-  const Json all = ask({{"types", {"effect_ended"}}});
+  const auto history_of = [&](const Json& params) {
+    return rig.call(game, "events.history", params);
+  };
+  const Json all = history_of({{"types", {"effect_ended"}}});
   ASSERT_EQ(all["events"].size(), 10u);
   EXPECT_EQ(all["more"], false);
   EXPECT_EQ(all["events"][9]["at"], base::rfc3339(rig.wall_ms() - 9)) << "5 ms and a tick";
-  const Json three = ask({{"types", {"effect_ended"}}, {"limit", 3}});
+  const Json three = history_of({{"types", {"effect_ended"}}, {"limit", 3}});
   ASSERT_EQ(three["events"].size(), 3u);
   EXPECT_EQ(three["more"], true);
   EXPECT_EQ(three["events"][2], all["events"][9]) << "the newest";
-  EXPECT_EQ(ask({{"types", {"effect_started"}}})["events"].size(), 10u);
-  EXPECT_TRUE(ask({{"since", "2999-01-01T00:00:00Z"}})["events"].empty());
-  EXPECT_EQ(ask({{"since", "2000-01-01T00:00:00+02:00"}, {"limit", 1000}}), ask({{"limit", 1000}}));
-  const Json since = ask({{"since", all["events"][7]["at"]}, {"types", {"effect_ended"}}});
+  EXPECT_EQ(history_of({{"types", {"effect_started"}}})["events"].size(), 10u);
+  EXPECT_TRUE(history_of({{"since", "2999-01-01T00:00:00Z"}})["events"].empty());
+  EXPECT_EQ(history_of({{"since", "2000-01-01T00:00:00+02:00"}, {"limit", 1000}}),
+            history_of({{"limit", 1000}}));
+  const Json since = history_of({{"since", all["events"][7]["at"]}, {"types", {"effect_ended"}}});
   EXPECT_EQ(since["events"].size(), 3u);
-  EXPECT_EQ(ask({{"since", "yesterday"}})["data"]["field"], "since");
-  EXPECT_EQ(ask({{"limit", 1001}})["data"]["limit"], 1000);
-  EXPECT_EQ(ask({{"types", {"overun"}}})["data"]["field"], "types");
+  EXPECT_EQ(history_of({{"since", "yesterday"}})["data"]["field"], "since");
+  EXPECT_EQ(history_of({{"limit", 1001}})["data"]["limit"], 1000);
+  EXPECT_EQ(history_of({{"types", {"overun"}}})["data"]["field"], "types");
 }
 
-TEST(History, AGamesEveryFrameIsNotKept) {
+TEST(History, UpdatesOfEveryFrameAreNotKept) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   for (int i = 0; i < 60; ++i) {
@@ -105,7 +108,7 @@ protocol::Event tripped() {
   return event;
 }
 
-TEST(History, IsBoundedAndAGameCannotPushTripsOut) {
+TEST(History, IsBoundedAndEffectsDoNotDisplaceTrips) {
   Disk disk;
   EventHistory history(disk.writer(), {});
   history.record(tripped(), 1'000, nullptr);
@@ -131,7 +134,7 @@ TEST(History, IsBoundedAndAGameCannotPushTripsOut) {
   EXPECT_EQ(newest(again, 10, {"state_changed"}), newest(history, 10, {"state_changed"}));
 }
 
-TEST(History, TripsAreKeptApartAndAskedForAlone) {
+TEST(History, TripsAreStoredAndRequestedSeparately) {
   Disk disk;
   EventHistory history(disk.writer(), {});
   history.record(tripped(), 1'000, nullptr, 17);
@@ -161,7 +164,7 @@ TEST(History, TripsAreKeptApartAndAskedForAlone) {
   EXPECT_EQ(again.last_recording(), 17u) << "named, so never given again";
 }
 
-TEST(History, OutlivesForeignLines) {
+TEST(History, IgnoresForeignLines) {
   Disk disk;
   disk.trips().filling = "hello\n\n{}\n[1,2]\n{\"at\":5}\n";
   disk.effects().filling =
@@ -174,27 +177,27 @@ TEST(History, OutlivesForeignLines) {
   EXPECT_EQ(events[0].recording, std::nullopt);
 }
 
-TEST(History, ADiskWithoutRoomOrWithAProblemIsAskedAgainForTheSame) {
-  std::vector<std::string> asked;
+TEST(History, AFullOrFailingDiskIsRetried) {
+  std::vector<std::string> requested;
   EventHistory history(
       [&](HistoryPart, const std::string& lines, bool) {
-        asked.push_back(lines);
-        return asked.size() == 1   ? nullptr
-               : asked.size() == 2 ? done_work("no space left")
-                                   : done_work();
+        requested.push_back(lines);
+        return requested.size() == 1   ? nullptr
+               : requested.size() == 2 ? done_work("no space left")
+                                       : done_work();
       },
       {});
   history.record(ended(1), 1'000, nullptr);
   history.pump(1'000);
   history.record(ended(2), 2'000, nullptr);
   for (int second = 2; second < 9; ++second) history.pump(second * 1'000);
-  ASSERT_EQ(asked.size(), 3u);
-  EXPECT_EQ(lines_in(asked[0]), 1u);
-  EXPECT_EQ(lines_in(asked[1]), 2u);
-  EXPECT_EQ(asked[2], asked[1]);
+  ASSERT_EQ(requested.size(), 3u);
+  EXPECT_EQ(lines_in(requested[0]), 1u);
+  EXPECT_EQ(lines_in(requested[1]), 2u);
+  EXPECT_EQ(requested[2], requested[1]);
 }
 
-TEST(History, WhatADiskWithoutRoomMissesIsBounded) {
+TEST(History, PendingLinesOfAFullDiskAreBounded) {
   Disk disk;
   bool capacity = false;
   EventHistory history(
@@ -211,7 +214,7 @@ TEST(History, WhatADiskWithoutRoomMissesIsBounded) {
   EXPECT_EQ(disk.effects().full, "");
 }
 
-TEST(History, ATripThatComesWhileEarlierOnesAreWrittenWaitsForThemOnly) {
+TEST(History, ATripDuringAnEarlierWriteWaitsForThatOnly) {
   std::vector<std::pair<HistoryPart, DiskWorkPtr>> jobs;
   EventHistory history(
       [&](HistoryPart part, const std::string&, bool) {
@@ -237,7 +240,7 @@ TEST(History, ATripThatComesWhileEarlierOnesAreWrittenWaitsForThemOnly) {
   EXPECT_EQ(jobs.size(), 3u) << "a disk that fails is asked once a second";
 }
 
-TEST(History, AClockThatWasSetBackHidesNothingNew) {
+TEST(History, AClockThatWasSetBackHidesNoNewEvent) {
   Disk disk;
   {
     EventHistory history(disk.writer(), {});
@@ -259,7 +262,7 @@ TEST(History, AClockThatWasSetBackHidesNothingNew) {
   EXPECT_EQ(newest(history, 2).events.back().at, base::rfc3339(25'000));
 }
 
-TEST(History, ALongLineHidesNothing) {
+TEST(History, ALongLineHidesNoOther) {
   Disk disk;
   protocol::Event longest = ended(2);
   longest.slot = std::string(60'000, 'x');

@@ -12,7 +12,7 @@ namespace {
 
 using protocol::ErrorCode;
 
-TEST(KnownCounters, HaveEveryErrorThatAMethodMayAnswerWith) {
+TEST(KnownCounters, HaveEveryErrorThatAMethodMayReturn) {
   const Counters counters = known_counters();
   for (const protocol::MethodInfo& method : protocol::kMethods) {
     EXPECT_TRUE(counters.requests.contains({method.name, 0})) << method.name;

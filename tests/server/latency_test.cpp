@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kMicrosecond = 1000;
 
-TEST(Latency, IsNotKnownBeforeTheFirstEffect) {
+TEST(Latency, IsUnknownBeforeTheFirstEffect) {
   ServerRig rig;
   FakeClient& client = rig.connect();
   EXPECT_EQ(rig.call(client, "effect.latency"), Json::parse(R"({

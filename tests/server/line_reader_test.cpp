@@ -25,11 +25,11 @@ std::vector<std::string> read(const std::vector<std::string>& pieces) {
   return lines;
 }
 
-TEST(LineReader, EndsLinesAtLfAndTakesCrlfToo) {
+TEST(LineReader, EndsLinesAtLfAndAcceptsCrlfToo) {
   EXPECT_EQ(read({"a\nb\r\n\nc"}), (std::vector<std::string>{"a", "b", ""}));
 }
 
-TEST(LineReader, PutsPiecesTogether) {
+TEST(LineReader, JoinsPieces) {
   EXPECT_EQ(read({"he", "ll", "o\r", "\nyou\n"}), (std::vector<std::string>{"hello", "you"}));
 }
 
@@ -40,14 +40,14 @@ TEST(LineReader, ALineOfExactlyTheLimitPasses) {
   EXPECT_EQ(read({line + "x\nok\n"}), (std::vector<std::string>{"TOO LONG", "ok"}));
 }
 
-TEST(LineReader, TellsALineThatIsTooLongOnceAndBeforeItEnds) {
+TEST(LineReader, ReportsALineThatIsTooLongOnceAndBeforeItsEnd) {
   const std::string piece(kLimit, 'x');
   EXPECT_EQ(read({piece, piece, piece}), (std::vector<std::string>{"TOO LONG"}));
   EXPECT_EQ(read({piece, piece, piece, "\nnext\n"}),
             (std::vector<std::string>{"TOO LONG", "next"}));
 }
 
-TEST(LineReader, KnowsTheFirstByteThatIsNoLineEnd) {
+TEST(LineReader, ReturnsTheFirstByteThatIsNoLineEnd) {
   LineReader reader(kLimit);
   EXPECT_FALSE(reader.first_byte());
   reader.feed("\r\n");
@@ -58,7 +58,7 @@ TEST(LineReader, KnowsTheFirstByteThatIsNoLineEnd) {
   EXPECT_EQ(reader.first_byte(), 'P');
 }
 
-RC_GTEST_PROP(LineReader, HowTheBytesArePackedChangesNothing, ()) {
+RC_GTEST_PROP(LineReader, IsIndependentOfThePacketBoundaries, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', 'b', '\n', '\r'));
   const auto cuts = *rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 9));
   std::vector<std::string> pieces;

@@ -29,7 +29,7 @@ class JournalStream : public testing::Test {
   std::array<int, 2> pipe_{-1, -1};
 };
 
-TEST_F(JournalStream, NamesTheFileByDeviceAndInode) {
+TEST_F(JournalStream, IdentifiesTheFileByDeviceAndInode) {
   EXPECT_TRUE(is_journal(name_of(pipe_[1]).c_str(), pipe_[1]));
 }
 
@@ -40,7 +40,7 @@ TEST_F(JournalStream, IsInheritedByProgramsWhoseStderrIsAnother) {
   for (const int fd : other) ::close(fd);
 }
 
-TEST_F(JournalStream, OfAnyOtherFormIsNone) {
+TEST_F(JournalStream, OfAnyOtherFormatIsNone) {
   const std::string name = name_of(pipe_[1]);
   EXPECT_FALSE(is_journal(nullptr, pipe_[1]));
   for (const std::string& text : {std::string(), std::string("1"), std::string("8:"), name + "0",

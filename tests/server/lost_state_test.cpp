@@ -26,11 +26,11 @@ struct LostState : testing::Test {
     const auto state = load(text);
     return state ? state->latch : Reason::kNone;
   }
-  std::string of(const BallIdentity& whose) const {
+  std::string of(const BallIdentity& identity) const {
     SavedState state;
     state.heat_known = true;
     state.clean_stop = true;
-    state.ball = whose;
+    state.ball = identity;
     return encode(state);
   }
 
@@ -42,12 +42,12 @@ TEST_F(LostState, AMissingFileIsAFirstStart) {
   EXPECT_FALSE(load_saved_state(folder.path(), ball));
 }
 
-TEST_F(LostState, AFirstWriteThatWasCutOffIsNone) {
+TEST_F(LostState, APartialFirstWriteIsNone) {
   std::ofstream(folder.path("state.json.new")) << "{";
   EXPECT_EQ(load_saved_state(folder.path(), ball)->latch, Reason::kStateLost);
 }
 
-TEST_F(LostState, ADamagedFileCountsAsALatch) {
+TEST_F(LostState, AFileDamagedAnywhereCountsAsALatch) {
   const std::string good = of(ball);
   EXPECT_EQ(latch_of(good), Reason::kNone);
   EXPECT_EQ(latch_of(""), Reason::kStateLost);
@@ -59,7 +59,7 @@ TEST_F(LostState, ADamagedFileCountsAsALatch) {
   EXPECT_EQ(load_saved_state(folder.path(), ball)->latch, Reason::kStateLost);
 }
 
-TEST_F(LostState, WhereverItWasCutOff) {
+TEST_F(LostState, AFileTruncatedAnywhereCountsAsALatch) {
   const std::string good = of(ball);
   for (std::size_t left = 0; left + 2 < good.size(); ++left)
     ASSERT_EQ(latch_of(good.substr(0, left)), Reason::kStateLost) << left;
@@ -87,14 +87,14 @@ struct OtherBall : LostState {
     mailbox->status.write(snapshot);
   }
   /// True if control is requested to forget the ball when the board reports `serial`.
-  bool is_forgotten(const std::optional<std::string>& serial) {
+  bool is_reset(const std::optional<std::string>& serial) {
     DeviceView device_view(config, *mailbox, *port, 0);
     device_view.set_board_info_source([&] { return BoardInfo{{}, serial, {}}; });
     {
       DiskThread disk;
-      FileStateStore keeper(folder.path(), disk, device_view, last);
-      keeper.pump();
-      keeper.pump();
+      FileStateStore store(folder.path(), disk, device_view, last);
+      store.pump();
+      store.pump();
     }
     std::array<control::Command, control::kMaxCommandsPerTick> commands;
     const auto taken = mailbox->commands.pop(commands.data(), commands.size());
@@ -109,10 +109,10 @@ struct OtherBall : LostState {
   std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
 };
 
-TEST_F(OtherBall, IsNoticedByItsBoard) {
-  EXPECT_FALSE(is_forgotten("B7"));
-  EXPECT_FALSE(is_forgotten(std::nullopt));
-  EXPECT_TRUE(is_forgotten("B8"));
+TEST_F(OtherBall, IsDetectedByItsBoard) {
+  EXPECT_FALSE(is_reset("B7"));
+  EXPECT_FALSE(is_reset(std::nullopt));
+  EXPECT_TRUE(is_reset("B8"));
   EXPECT_EQ(load_saved_state(folder.path())->ball, (BallIdentity{false, "B8"}));
 }
 

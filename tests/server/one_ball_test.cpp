@@ -25,19 +25,19 @@ class Designer {
  public:
   explicit Designer(Words design) : design_(std::move(design)) {}
 
-  Json ask(Words words) const {
+  Json result_of(Words words) const {
     words.insert(words.end(), design_.begin(), design_.end());
     words.insert(words.end(), {"--accuracy", "1e-5", "--json"});
-    const design::Answer answer = design::ask(words);
-    EXPECT_EQ(answer.exit_code, 0) << words.front() << ": " << answer.err;
-    return answer.json();
+    const design::CommandResult result = design::run_design(words);
+    EXPECT_EQ(result.exit_code, 0) << words.front() << ": " << result.err;
+    return result.json();
   }
 
   config::Config device_file() const {
     const TemporaryFolder folder;
     Words words{"export", "--device", folder.path("ball.json")};
     words.insert(words.end(), design_.begin(), design_.end());
-    EXPECT_EQ(design::ask(words).exit_code, 0);
+    EXPECT_EQ(design::run_design(words).exit_code, 0);
     const auto files = config::FakeFiles::with_device(folder.read("ball.json"));
     EXPECT_EQ(files.errors(), "");
     return *files.load();
@@ -56,10 +56,10 @@ Json class_with(const Json& classes, int pin) {
 
 class OneBall : public testing::TestWithParam<Words> {};
 
-TEST_P(OneBall, RestsInTheDaemonWhereTheDesignerHasIt) {
+TEST_P(OneBall, HasTheSameRestPositionsInDaemonAndDesigner) {
   const Designer designer(GetParam());
-  const Json classes = designer.ask({"stability"})["classes"];
-  const Json curves = designer.ask({"curves", "--offsets", "-0.5..2/0.5"})["classes"];
+  const Json classes = designer.result_of({"stability"})["classes"];
+  const Json curves = designer.result_of({"curves", "--offsets", "-0.5..2/0.5"})["classes"];
   ServerRig rig(designer.device_file());
   const Json described = rig.call(rig.connect(), "device.describe")["pins"];
   for (const Json& pin : described) {
@@ -71,16 +71,16 @@ TEST_P(OneBall, RestsInTheDaemonWhereTheDesignerHasIt) {
   }
 }
 
-TEST_P(OneBall, MovesInTheDaemonAsFarAsTheDesignerHasIt) {
+TEST_P(OneBall, HasTheSameExtensionInDaemonAndDesigner) {
   const Designer designer(GetParam());
-  const Json stability = designer.ask({"stability"});
+  const Json stability = designer.result_of({"stability"});
   ServerRig rig(designer.device_file());
   FakeClient& game = rig.connect();
   const auto last = static_cast<int>(stability["pins"].get<std::size_t>()) - 1;
   const int typical = stability["typical"]["pin"];
   for (const int pin : {0, 1, typical, last}) {
-    const Json coil =
-        designer.ask({"electromagnet", "--pin", std::to_string(pin), "--current", "0..15/7.5"});
+    const Json coil = designer.result_of(
+        {"electromagnet", "--pin", std::to_string(pin), "--current", "0..15/7.5"});
     const Json of_pin = class_with(stability["classes"], pin);
     EXPECT_EQ(coil["preload_n"], of_pin["preload_n"]) << pin;
     EXPECT_EQ(coil["rest_mm"], of_pin["rest_mm"]) << pin;
@@ -111,25 +111,25 @@ INSTANTIATE_TEST_SUITE_P(Designs, OneBall,
 TEST(OneBall, OfTheThesisPushesItsTypicalPinWithTheMeasuredForce) {
   const Designer designer({});
   EXPECT_NEAR(designer.device_file().device.force_slope_n_a, 0.0126, 1e-6);
-  const Json at_15_a = designer.ask({"electromagnet"})["currents"].back();
+  const Json at_15_a = designer.result_of({"electromagnet"})["currents"].back();
   ASSERT_EQ(at_15_a["current_a"], 15.0);
   EXPECT_NEAR(at_15_a["measured"]["force_n"], 0.189, 5e-4);
   // The pentagon's pin rests on the shell, 0.5 mm nearer: 5 % more force, which is below its
   // preload.
-  const Json shell = designer.ask({"electromagnet", "--pin", "0"});
+  const Json shell = designer.result_of({"electromagnet", "--pin", "0"});
   EXPECT_NEAR(shell["currents"].back()["measured"]["force_n"], 0.189 * 1.05, 1e-3);
   EXPECT_EQ(shell["currents"].back()["measured"]["extension_mm"], 0.0);
   EXPECT_NEAR(shell["preload_n"], 0.208, 2e-3);
 }
 
-TEST(OneBall, IsTheSameInASearchAsByItself) {
+TEST(OneBall, IsTheSameInASearchAsAlone) {
   for (const char* shield : {"4x10", "4.1x10"}) {
-    const design::Answer answer =
-        design::ask({"choose", "--arrays", "tkD", "--shields", shield, "--spheres", "35",
-                     "--least-extension", "0.1", "--coil-force", "0.4", "--json"});
-    ASSERT_EQ(answer.exit_code, 0) << answer.err;
-    const Json best = answer.json()["best"];
-    const Json typical = Designer({"--shield", shield}).ask({"stability"})["typical"];
+    const design::CommandResult result =
+        design::run_design({"choose", "--arrays", "tkD", "--shields", shield, "--spheres", "35",
+                            "--least-extension", "0.1", "--coil-force", "0.4", "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json best = result.json()["best"];
+    const Json typical = Designer({"--shield", shield}).result_of({"stability"})["typical"];
     EXPECT_NEAR(best["rest_mm"], typical["rest_mm"], kSameMm) << shield;
     EXPECT_NEAR(best["extension_mm"], typical["extension_mm"], kSameMm) << shield;
   }
@@ -137,8 +137,8 @@ TEST(OneBall, IsTheSameInASearchAsByItself) {
 
 TEST(OneBall, IsTheSameInTheTableAsInStability) {
   const Designer designer({"--array", "tkD"});
-  const Json classes = designer.ask({"stability"})["classes"];
-  const Json rows = designer.ask({"table"})["rows"];
+  const Json classes = designer.result_of({"stability"})["classes"];
+  const Json rows = designer.result_of({"table"})["rows"];
   ASSERT_EQ(rows.size(), classes.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i]["rest_mm"], classes[i]["rest_mm"]);

@@ -69,7 +69,7 @@ class OnDisk : public testing::Test {
   std::string state_ = testing::TempDir() + "hedgehog-patterns-" + std::to_string(getpid());
 };
 
-TEST_F(OnDisk, ARestartFindsThemAndLeavesOutWhatIsDamaged) {
+TEST_F(OnDisk, ARestartLoadsThemAndSkipsDamagedOnes) {
   {
     DiskThread disk;
     PatternFiles files(state_, disk);
@@ -90,7 +90,7 @@ TEST_F(OnDisk, ARestartFindsThemAndLeavesOutWhatIsDamaged) {
   EXPECT_TRUE(fs::exists(state_ + "/patterns/acme/torn.json")) << "for its owner to mend";
 }
 
-TEST_F(OnDisk, OfMoreThanThereMayBeTheFirstByNameAreRead) {
+TEST_F(OnDisk, OfTooManyTheFirstByNameAreRead) {
   const auto name = [](std::size_t i) { return "acme/" + std::to_string(1000 + i); };
   constexpr std::size_t kMaxPatterns = PatternLibrary::kMaxPut;
   for (std::size_t i = kMaxPatterns + 2; i-- > 0;)
@@ -122,7 +122,7 @@ TEST_F(OnDisk, AFolderThatCannotBeReadHidesNoOther) {
     fs::permissions(state_ + "/patterns/locked-" + vendor, fs::perms::owner_all);
 }
 
-TEST_F(OnDisk, WhatIsPutOrRemovedIsSafeWithItsFolders) {
+TEST_F(OnDisk, PutAndRemoveAreSyncedWithTheirFolders) {
   const auto synced_by = [&](auto&& what) {
     {
       const std::lock_guard lock(synced_mutex);
@@ -149,25 +149,25 @@ TEST_F(OnDisk, WhatIsPutOrRemovedIsSafeWithItsFolders) {
   EXPECT_FALSE(fs::exists(state_ + "/patterns/acme"));
 }
 
-TEST_F(OnDisk, WhatFailsIsSaid) {
+TEST_F(OnDisk, FailuresAreReported) {
   write("patterns/acme", "a file where a folder should be");
   fs::create_directories(state_ + "/patterns/other/full.json/of");
   DiskWorkPtr put;
   DiskWorkPtr removed;
-  DiskWorkPtr never_was;
+  DiskWorkPtr missing;
   {
     DiskThread disk;
     PatternFiles files(state_, disk);
     put = files.keep("acme/knock", pattern("acme/knock"));
     removed = files.drop("other/full");
-    never_was = files.drop("third/x");
+    missing = files.drop("third/x");
   }
   EXPECT_NE(put->problem.find("/patterns/acme"), std::string::npos) << put->problem;
-  EXPECT_EQ(never_was->problem, "");
+  EXPECT_EQ(missing->problem, "");
   EXPECT_NE(removed->problem.find("full.json"), std::string::npos) << removed->problem;
 }
 
-TEST_F(OnDisk, ADiskFullOfPatternsStillTakesALatchAndATripAndFirst) {
+TEST_F(OnDisk, ALatchAndATripArePersistedBeforeManyPatterns) {
   const auto mailbox = std::make_unique<control::Mailbox>();
   const auto port = std::make_unique<device::LinkPort>();
   DeviceView device_view(config::Config{}, *mailbox, *port, 0);
@@ -180,32 +180,33 @@ TEST_F(OnDisk, ADiskFullOfPatternsStillTakesALatchAndATripAndFirst) {
   };
   trip();
   std::promise<void> slow;
-  bool they_were_first = false;
+  bool persisted_first = false;
   {
     DiskThread disk;
     ASSERT_TRUE(disk.post(DiskUse::kHistory, [wait = slow.get_future().share()] { wait.wait(); }));
     PatternFiles files(state_, disk);
-    std::size_t taken = 0;
-    while (files.keep("acme/p" + std::to_string(taken), pattern("acme/p")) != nullptr) ++taken;
-    EXPECT_EQ(taken, 8u);
+    std::size_t accepted = 0;
+    while (files.keep("acme/p" + std::to_string(accepted), pattern("acme/p")) != nullptr)
+      ++accepted;
+    EXPECT_EQ(accepted, 8u);
     while (disk.post(DiskUse::kScan, [] {})) {
     }
     while (disk.post(DiskUse::kHistory, [] {})) {
     }
-    FileStateStore keeper(state_, disk, device_view, std::nullopt);
+    FileStateStore store(state_, disk, device_view, std::nullopt);
     TripRecordings recordings(state_, disk, recorder, 0);
     for (int i = 0; i < 200; ++i) {  // an arbitrary large number of requests
-      keeper.persist_latch(control::Reason::kEmergencyStop);
+      store.persist_latch(control::Reason::kEmergencyStop);
       recordings.tripped();
     }
     EXPECT_TRUE(disk.post(DiskUse::kSafety, [&] {
-      they_were_first = load_saved_state(state_).value_or(SavedState{}).latch ==
+      persisted_first = load_saved_state(state_).value_or(SavedState{}).latch ==
                             control::Reason::kEmergencyStop &&
                         fs::exists(state_ + "/trip-0001.hhr") && !fs::exists(state_ + "/patterns");
     }));
     slow.set_value();
   }
-  EXPECT_TRUE(they_were_first);
+  EXPECT_TRUE(persisted_first);
   EXPECT_TRUE(fs::exists(state_ + "/patterns/acme/p7.json"));
 }
 

@@ -30,7 +30,7 @@ TEST(Patterns, ArePutReadReplacedPlayedAndRemoved) {
   EXPECT_GT(rig.plant_current_a(), 2.0) << "what plays is not touched";
 }
 
-TEST(Patterns, ShippedOnesAndOthersNamesAreRefused) {
+TEST(Patterns, ShippedAndReservedNamesAreRefused) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   for (const char* name : {"tick", "mine", "Acme/knock", "acme/", "/x", "a/b/c", "../x", "a/..b"}) {
@@ -43,7 +43,7 @@ TEST(Patterns, ShippedOnesAndOthersNamesAreRefused) {
   EXPECT_TRUE(rig.storage.files.empty());
 }
 
-TEST(Patterns, LookingNeedsObservePuttingNeedsPlay) {
+TEST(Patterns, ReadingNeedsObserveAndPuttingNeedsPlay) {
   ServerRig rig;
   FakeClient& observer = rig.connect(protocol::Role::kObserve);
   EXPECT_TRUE(rig.call(observer, "pattern.list").contains("patterns"));
@@ -53,7 +53,7 @@ TEST(Patterns, LookingNeedsObservePuttingNeedsPlay) {
   EXPECT_EQ(rig.call(observer, "effect.play", {{"pattern", "tick"}})["code"], -32004);
 }
 
-TEST(Patterns, ThereAreAtMost256OfThem) {
+TEST(Patterns, AreLimitedTo256) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   for (int i = 0; i < 256; ++i)
@@ -66,7 +66,7 @@ TEST(Patterns, ThereAreAtMost256OfThem) {
   EXPECT_TRUE(rig.call(game, "pattern.put", knock("acme/more")).contains("name"));
 }
 
-TEST(Patterns, ABatchWithLongAnswersIsCutShortAndItsClientStays) {
+TEST(Patterns, ABatchWithLongResponsesIsTruncatedAndItsClientStays) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   Json frames = Json::array();
@@ -85,16 +85,16 @@ TEST(Patterns, ABatchWithLongAnswersIsCutShortAndItsClientStays) {
   }
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "arm"}, {"method", "device.arm"}});
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "stop"}, {"method", "device.emergency_stop"}});
-  const Json answers = rig.say(game, batch.dump());
-  ASSERT_EQ(answers.size(), 64u);
-  EXPECT_EQ(answers[0]["result"]["keyframes"].size(), 256u);
-  EXPECT_EQ(answers[61]["error"]["code"], -32001);
-  EXPECT_EQ(answers[62]["error"]["code"], -32001) << "in order, whatever it is";
-  EXPECT_EQ(answers[63]["result"]["state"], "disarmed") << "but for the stop";
-  EXPECT_LT(answers.dump().size(), game.session.batch_bytes + 65'536);
+  const Json responses = rig.exchange(game, batch.dump());
+  ASSERT_EQ(responses.size(), 64u);
+  EXPECT_EQ(responses[0]["result"]["keyframes"].size(), 256u);
+  EXPECT_EQ(responses[61]["error"]["code"], -32001);
+  EXPECT_EQ(responses[62]["error"]["code"], -32001) << "in order, whatever it is";
+  EXPECT_EQ(responses[63]["result"]["state"], "disarmed") << "but for the stop";
+  EXPECT_LT(responses.dump().size(), game.session.batch_bytes + 65'536);
 }
 
-TEST(Patterns, ADiskThatFailsIsSaid) {
+TEST(Patterns, ADiskErrorIsReported) {
   ServerRig rig;
   rig.storage.problem = "no space left";
   FakeClient& game = rig.connect();
@@ -109,7 +109,7 @@ TEST(Patterns, ADiskThatFailsIsSaid) {
             "space left");
 }
 
-TEST(Patterns, WhileTheDiskHasNoRoomNothingIsChanged) {
+TEST(Patterns, WhileTheDiskQueueIsFullNothingIsChanged) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "pattern.put", knock());
@@ -131,7 +131,7 @@ TEST(Patterns, WhileTheDiskHasNoRoomNothingIsChanged) {
   }
 }
 
-TEST(Patterns, TheListIsOfNowAndFitsALineHoweverMuchIsSaid) {
+TEST(Patterns, TheListIsCurrentAndFitsALineWithAnyDescriptions) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   const auto listed = [&](const std::string& name) {
@@ -142,9 +142,9 @@ TEST(Patterns, TheListIsOfNowAndFitsALineHoweverMuchIsSaid) {
   };
   EXPECT_TRUE(listed("acme/knock").is_null());
   Json put = knock();
-  std::string said;
-  for (int i = 0; i < 256; ++i) said += "\xF0\x9F\xA6\x94";  // characters of four bytes
-  put["description"] = said;
+  std::string description;
+  for (int i = 0; i < 256; ++i) description += "\xF0\x9F\xA6\x94";  // characters of four bytes
+  put["description"] = description;
   rig.call(game, "pattern.put", put);
   EXPECT_EQ(listed("acme/knock")["description"], put["description"]);
   for (int i = 1; i < 256; ++i) {
@@ -164,17 +164,17 @@ TEST(Patterns, TheListIsOfNowAndFitsALineHoweverMuchIsSaid) {
   EXPECT_TRUE(listed("acme/knock").is_null());
 }
 
-TEST(Patterns, ABatchGetsEightLists) {
+TEST(Patterns, ABatchIsLimitedToEightLists) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kObserve);
   Json batch = Json::array();
   for (int i = 0; i < 64; ++i)
     batch.push_back({{"jsonrpc", "2.0"}, {"id", i}, {"method", "pattern.list"}});
-  const Json answers = rig.say(game, batch.dump());
-  ASSERT_EQ(answers.size(), 64u);
-  for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
-  EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
-  EXPECT_EQ(rig.say(game, batch.dump())[7].contains("result"), true)
+  const Json responses = rig.exchange(game, batch.dump());
+  ASSERT_EQ(responses.size(), 64u);
+  for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(responses[i].contains("result"), i < 8) << i;
+  EXPECT_EQ(responses[8]["error"]["data"]["limit"], 8);
+  EXPECT_EQ(rig.exchange(game, batch.dump())[7].contains("result"), true)
       << "the next batch has its own";
 }
 

@@ -40,25 +40,25 @@ double fea_slope_n_a() {
 // The slope is that of a pin at rest (thesis section 3.1.1). With the slope of the thesis'
 // simulation, 0.4 N at 15 A on the sphere, the extensions match the reference: physics.md section
 // 6; with the measured slope they are larger by the decrease of the force over the 0.5 mm.
-TEST(Pins, AnAimedPinIsOutAsFarAsTheReferenceSays) {
-  for (const ReferenceExtension& wanted :
+TEST(Pins, AnAimedPinExtendsAsTheReference) {
+  for (const ReferenceExtension& expected :
        {ReferenceExtension{0.0126, 5.0, 0.063, 0.081},
         ReferenceExtension{0.0126, 15.0, 0.189, 0.248},
         ReferenceExtension{fea_slope_n_a(), 5.0, 0.127, 0.165},
         ReferenceExtension{fea_slope_n_a(), 15.0, 0.380, 0.521}}) {
     config::Config config;
-    config.device.force_slope_n_a = wanted.slope_n_a;
+    config.device.force_slope_n_a = expected.slope_n_a;
     ServerRig rig(config);
     FakeClient& game = rig.connect();
-    hold(rig, game, {{"pin", kHexagonPin}}, wanted.current_a);
+    hold(rig, game, {{"pin", kHexagonPin}}, expected.current_a);
     const Json pins = pins_now(rig, game);
-    EXPECT_NEAR(pins["extension_mm"][kHexagonPin], wanted.extension_mm, 0.005)
-        << wanted.slope_n_a << " N/A at " << wanted.current_a << " A";
-    EXPECT_NEAR(pins["force_n"][kHexagonPin], wanted.force_at_rest_n, 1e-3);
+    EXPECT_NEAR(pins["extension_mm"][kHexagonPin], expected.extension_mm, 0.005)
+        << expected.slope_n_a << " N/A at " << expected.current_a << " A";
+    EXPECT_NEAR(pins["force_n"][kHexagonPin], expected.force_at_rest_n, 1e-3);
   }
 }
 
-TEST(Pins, RestWithoutCurrentAndTheDescriptionSaysWhere) {
+TEST(Pins, RestWithoutCurrentAtThePositionsOfTheDescription) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   const Json pins = pins_now(rig, game);
@@ -75,7 +75,7 @@ TEST(Pins, RestWithoutCurrentAndTheDescriptionSaysWhere) {
 
 // Reference: physics.md, "Beyond the thesis": a pentagon's pin rests on the shell, with a preload
 // of 0.19 N in the whole array and 0.21 N in this one. The measured 0.189 N are 5 % more there.
-TEST(Pins, ThoseOnTheShellNeedMoreThanTheirPreload) {
+TEST(Pins, OnTheShellNeedMoreThanTheirPreload) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   hold(rig, game, {{"pin", kPentagonPin}}, 15.0);
@@ -84,7 +84,7 @@ TEST(Pins, ThoseOnTheShellNeedMoreThanTheirPreload) {
   EXPECT_EQ(pins["extension_mm"][kPentagonPin], 0.0);
 }
 
-TEST(Pins, ThoseOnTheFarSideArePulledInToTheShellAtMost) {
+TEST(Pins, OnTheFarSideArePulledInToTheShellAtMost) {
   config::Config config;
   config.device.force_slope_n_a = 0.02667;
   ServerRig rig(config);
@@ -92,28 +92,28 @@ TEST(Pins, ThoseOnTheFarSideArePulledInToTheShellAtMost) {
   const Json described = rig.call(game, "device.describe")["pins"];
   hold(rig, game, {0.1, 0.7, 0.2}, 15.0);
   const Json pins = pins_now(rig, game);
-  double least = 0.0;
+  double min_mm = 0.0;
   for (std::size_t pin = 0; pin < 86; ++pin) {
     const double out = pins["extension_mm"][pin];
     EXPECT_GE(out, -described[pin]["rest_mm"].get<double>() - 1e-3) << pin;
     EXPECT_GE(out * pins["force_n"][pin].get<double>(), 0.0) << pin;
-    least = std::min(least, out);
+    min_mm = std::min(min_mm, out);
   }
-  EXPECT_LT(least, -0.3);
+  EXPECT_LT(min_mm, -0.3);
 }
 
-TEST(Pins, AreThoseOfThePlantWhateverWayTheWindingsSit) {
+TEST(Pins, AreThoseOfThePlantForAnyMatrix) {
   config::Config config;
   config.device.coils.matrix = {{{0, -1.1, 0}, {0.95, 0.05, 0}, {0, 0, 1}}};
   ServerRig rig(config, board_of(config));
   FakeClient& game = rig.connect();
   hold(rig, game, {1, 2, 3}, 9.0);
-  const Json told = pins_now(rig, game);
+  const Json measured = pins_now(rig, game);
   const model::PinMotion real =
       rig.world.board().plant().pins(model::thesis_ball().array, model::thesis_ball().curves);
   for (std::size_t pin = 0; pin < 86; ++pin) {
-    EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
-    EXPECT_NEAR(told["extension_mm"][pin], real.extension_mm[pin], 1e-3) << pin;
+    EXPECT_NEAR(measured["force_n"][pin], real.force_n[pin], 2e-4) << pin;
+    EXPECT_NEAR(measured["extension_mm"][pin], real.extension_mm[pin], 1e-3) << pin;
   }
   EXPECT_GT(*std::max_element(real.extension_mm.begin(), real.extension_mm.end()), 0.12);
   EXPECT_LT(*std::min_element(real.extension_mm.begin(), real.extension_mm.end()), -0.1);
@@ -133,9 +133,9 @@ TEST(Pins, OfAnotherBallAreThoseOfItsDeviceFile) {
   EXPECT_NEAR(described["pins"][1]["position"][1], 0.0, 1e-5);
   EXPECT_GT(described["pins"][1]["position"][0], 0.1) << "pin 1 is at the front";
   hold(rig, game, {{"pin", 40}}, 9.0);
-  const Json told = pins_now(rig, game);
-  ASSERT_EQ(told["force_n"].size(), 41u);
-  const auto& forces = told["force_n"];
+  const Json measured = pins_now(rig, game);
+  ASSERT_EQ(measured["force_n"].size(), 41u);
+  const auto& forces = measured["force_n"];
   EXPECT_EQ(std::max_element(forces.begin(), forces.end()) - forces.begin(), 40);
   // Ten of its pins are on the equator, where a hedgehog-86 has fifteen.
   const Json circle = rig.call(game, "effect.circle", {{"speed_pins_s", 10}});
@@ -145,7 +145,7 @@ TEST(Pins, OfAnotherBallAreThoseOfItsDeviceFile) {
 }
 
 // The same with a matrix unknown to the daemon: the pins follow the ball, not the device file.
-TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
+TEST(Pins, AreThoseOfTheSimulatedBallForAnyDeviceFile) {
   config::Config config;
   model::DeviceModel ball;
   ball.coils.matrix = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, -1}}};
@@ -157,16 +157,16 @@ TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
   ServerRig rig(config, board);
   FakeClient& game = rig.connect();
   hold(rig, game, "front", 9.0);
-  const Json told = pins_now(rig, game);
+  const Json measured = pins_now(rig, game);
   const model::PinMotion real =
       rig.world.board().plant().pins(model::thesis_ball().array, model::thesis_ball().curves);
   for (std::size_t pin = 0; pin < 86; ++pin)
-    EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
-  const auto most = std::max_element(real.force_n.begin(), real.force_n.end());
-  const auto at = static_cast<std::size_t>(most - real.force_n.begin());
+    EXPECT_NEAR(measured["force_n"][pin], real.force_n[pin], 2e-4) << pin;
+  const auto strongest = std::max_element(real.force_n.begin(), real.force_n.end());
+  const auto at = static_cast<std::size_t>(strongest - real.force_n.begin());
   EXPECT_GT(model::thesis_ball().array.pins[at].position.y, 0.9)
       << "the left, not the front, pushes";
-  EXPECT_NEAR(*most, 0.02 * 9.0, 0.01);
+  EXPECT_NEAR(*strongest, 0.02 * 9.0, 0.01);
 }
 
 // The simulated ball has its own magnets: with weaker shields its pins extend farther.
@@ -198,19 +198,19 @@ TEST(Pins, OfABallThatIsStrongerThanItsFileMoveFarther) {
   EXPECT_NEAR(pins_now(rig, game)["extension_mm"][kHexagonPin], 0.248, 0.005);
 }
 
-TEST(Pins, WhatIsAskedAndDoesNotFlowMovesNothing) {
+TEST(Pins, DoNotMoveWithoutMeasuredCurrent) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "sim.set", {{"fault", {{"faults", {"open_winding"}}, {"coil", 1}}}});
   rig.call(game, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"pins", "force_n"}}});
   rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 5}});
   rig.run(100);
-  double asked_n = 0.0;
-  for (const Json& told : rig.on_event(game, LineKind::kTelemetry)) {
-    asked_n = std::max(asked_n, told["force_n"].get<double>());
-    for (const Json& out : told["pins"]["extension_mm"]) EXPECT_EQ(out, 0.0);
+  double max_requested_n = 0.0;
+  for (const Json& measured : rig.on_event(game, LineKind::kTelemetry)) {
+    max_requested_n = std::max(max_requested_n, measured["force_n"].get<double>());
+    for (const Json& out : measured["pins"]["extension_mm"]) EXPECT_EQ(out, 0.0);
   }
-  EXPECT_GT(asked_n, 0.05);
+  EXPECT_GT(max_requested_n, 0.05);
 }
 
 TEST(Pins, RestWhenTheBoardIsSilent) {

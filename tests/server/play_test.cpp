@@ -11,7 +11,7 @@
 namespace hedgehog::server {
 namespace {
 
-TEST(Play, TheKeyFramesFlowThroughTheCoils) {
+TEST(Play, TheKeyFramesBecomeCurrents) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "events.subscribe");
@@ -32,7 +32,7 @@ TEST(Play, TheKeyFramesFlowThroughTheCoils) {
   EXPECT_EQ(events[1]["delivered"]["min"], 1.0);
 }
 
-TEST(Play, ANamedPatternIsTurnedAndBringsItsWaveform) {
+TEST(Play, ANamedPatternIsTurnedAndHasItsWaveform) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   Json steady = knock("acme/steady");
@@ -94,7 +94,7 @@ TEST(Play, ALoopEndsByItsLeaseWithItsConnectionAndByAStop) {
   EXPECT_LT(rig.plant_current_a(), 0.1);
 }
 
-TEST(Play, AnUpdateMayBringOtherKeyFrames) {
+TEST(Play, AnUpdateMayReplaceKeyFrames) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "effect.play", {{"pattern", "orbit"}, {"loop", true}, {"slot", "a"}});
@@ -110,7 +110,7 @@ TEST(Play, AnUpdateMayBringOtherKeyFrames) {
   EXPECT_EQ(rig.call(game, "effect.update", {{"slot", "b"}, {"rate", 2}})["data"]["field"], "rate");
 }
 
-TEST(Play, AnUpdateLeavesNothingOfThePatternBefore) {
+TEST(Play, AnUpdateReplacesThePatternCompletely) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   Json buzz = knock("acme/buzz");
@@ -139,7 +139,7 @@ TEST(Play, AnUpdateLeavesNothingOfThePatternBefore) {
   EXPECT_LT(rig.plant_current_a(), 0.1) << "what the caller said stays";
 }
 
-TEST(Play, APatternIsAdmittedByWhatOfItIsPlayed) {
+TEST(Play, APatternIsAdmittedByItsPlayedPart) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   // Full level for 9 s, then silence up to 60 s.
@@ -187,7 +187,7 @@ TEST(Play, BothMomentsAreIntegratedNotSampled) {
   EXPECT_EQ(ramp->mean_over(0).first.x, 0.0);
 }
 
-TEST(Play, WhatTakesTooLongNeedsAnEndOfItsOwn) {
+TEST(Play, APatternThatIsTooLongNeedsAnEnd) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   Json slow{{"pattern", "breath"}, {"rate", 0.4}};
@@ -198,7 +198,7 @@ TEST(Play, WhatTakesTooLongNeedsAnEndOfItsOwn) {
   EXPECT_EQ(rig.call(game, "effect.play", slow)["accepted"], true);
 }
 
-TEST(Play, TheRoomForKeyFramesIsSharedReusedAndFreedAgain) {
+TEST(Play, KeyFrameSlotsAreSharedReusedAndFreed) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   const auto frames = [](int number) {
@@ -234,7 +234,7 @@ TEST(Play, TheRoomForKeyFramesIsSharedReusedAndFreedAgain) {
   }
 }
 
-TEST(Play, ABatchHasRoomFor64CommandsAndSaysSo) {
+TEST(Play, ABatchMayHave64CommandsAndMoreAreRefused) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   Json batch = Json::array();
@@ -246,14 +246,15 @@ TEST(Play, ABatchHasRoomFor64CommandsAndSaysSo) {
                      {"method", "effect.play"},
                      {"params", {{"keyframes", frames}}}});
   }
-  const Json answers = rig.say(game, batch.dump());
-  EXPECT_TRUE(answers[0].contains("result")) << answers[0];
-  EXPECT_TRUE(answers[1].contains("result")) << answers[1];
-  const Json refused = answers[2]["error"];
+  const Json responses = rig.exchange(game, batch.dump());
+  EXPECT_TRUE(responses[0].contains("result")) << responses[0];
+  EXPECT_TRUE(responses[1].contains("result")) << responses[1];
+  const Json refused = responses[2]["error"];
   EXPECT_EQ(refused["code"], -32001);
   EXPECT_EQ(refused["data"]["limit"], 64);
   EXPECT_FALSE(refused["data"].contains("retry_after_ms")) << "in a batch it would never fit";
-  EXPECT_TRUE(rig.say(game, batch[2].dump()).contains("result")) << "in a line of its own it does";
+  EXPECT_TRUE(rig.exchange(game, batch[2].dump()).contains("result"))
+      << "in a line of its own it does";
 }
 
 }  // namespace

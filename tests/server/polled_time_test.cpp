@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(PolledTime, IsTheClockOfWhoPollsOften) {
+TEST(PolledTime, IsTheClockIfPolledOften) {
   PolledTime::Clock::time_point now{};
   PolledTime waited(now);
   for (int i = 0; i < 400; ++i) waited.poll(now += 5ms);
@@ -20,7 +20,7 @@ TEST(PolledTime, IsTheClockOfWhoPollsOften) {
   EXPECT_EQ(waited.elapsed(), 1ms);
 }
 
-TEST(PolledTime, LeavesOutHowLongTheProcessWasHeldUp) {
+TEST(PolledTime, ExcludesTheTimeOfASuspendedProcess) {
   PolledTime::Clock::time_point now{};
   PolledTime waited(now);
   waited.poll(now += 1h);

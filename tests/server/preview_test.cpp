@@ -35,8 +35,8 @@ double difference(const Json& timeline, std::size_t step, const std::vector<mode
     model::Vec3 sum;
     for (std::size_t k = 0; k < step; ++k) sum = sum + currents[i * step + k + lag];
     for (int axis = 0; axis < 3; ++axis) {
-      const double told = timeline[i][static_cast<std::size_t>(axis)].get<double>();
-      worst = std::max(worst, std::abs(told - sum[axis] / static_cast<double>(step)));
+      const double previewed = timeline[i][static_cast<std::size_t>(axis)].get<double>();
+      worst = std::max(worst, std::abs(previewed - sum[axis] / static_cast<double>(step)));
     }
   }
   return worst;
@@ -46,60 +46,60 @@ double difference(const Json& timeline, std::size_t step, const std::vector<mode
 /// have.
 constexpr std::size_t kLongestLag = 6;
 
-void expect_as_played(const std::string& method, const Json& params, double within_a) {
+void expect_equals_played(const std::string& method, const Json& params, double within_a) {
   SCOPED_TRACE(method + params.dump());
   ServerRig rig;
   FakeClient& game = rig.connect();
-  const Json told = preview(rig, game, method, params);
-  ASSERT_TRUE(told.contains("current_a")) << told;
+  const Json previewed = preview(rig, game, method, params);
+  ASSERT_TRUE(previewed.contains("current_a")) << previewed;
   rig.run(20);
   EXPECT_EQ(rig.plant_current_a(), 0.0) << "it touches nothing";
   EXPECT_TRUE(rig.call(game, "device.status")["effects"].empty());
 
   rig.call(game, method, params);
-  const auto currents =
-      flowing(rig, told["duration_ms"].get<model::Tick>() + static_cast<model::Tick>(kLongestLag));
+  const auto currents = flowing(
+      rig, previewed["duration_ms"].get<model::Tick>() + static_cast<model::Tick>(kLongestLag));
   double best_a = std::numeric_limits<double>::infinity();
   for (std::size_t lag = 0; lag < kLongestLag; ++lag) {
-    best_a = std::min(
-        best_a, difference(told["current_a"], told["step_ms"].get<std::size_t>(), currents, lag));
+    best_a = std::min(best_a, difference(previewed["current_a"],
+                                         previewed["step_ms"].get<std::size_t>(), currents, lag));
   }
   EXPECT_LT(best_a, within_a);
   double peak_a = 0.0;
   for (const model::Vec3& a : currents) peak_a = std::max(peak_a, norm(a));
   EXPECT_GT(peak_a, 1.0);
-  EXPECT_NEAR(told["peak_current_a"].get<double>(), peak_a, 0.02 * peak_a + 0.02);
-  EXPECT_NEAR(told["peak_temperature_c"].get<double>(),
+  EXPECT_NEAR(previewed["peak_current_a"].get<double>(), peak_a, 0.02 * peak_a + 0.02);
+  EXPECT_NEAR(previewed["peak_temperature_c"].get<double>(),
               rig.world.board().plant().hottest_winding_c(), 0.3);
 }
 
-TEST(Preview, IsWhatIsThenPlayed) {
-  expect_as_played("effect.pulse", {{"direction", "left"}, {"current_a", 12}}, 0.3);
-  expect_as_played("effect.pulse", {{"direction", {1, 1, 1}}, {"attack_ms", 50}, {"fade_ms", 50}},
-                   0.15);
-  expect_as_played("effect.play", {{"pattern", "heartbeat"}, {"current_a", 10}}, 0.3);
-  expect_as_played("effect.play", {{"pattern", "rain"}, {"rotate_to", "left"}}, 0.4);
-  expect_as_played("effect.circle", {{"duration_ms", 3000}, {"stepping", "smooth"}}, 0.15);
-  expect_as_played("effect.vibrate", {{"frequency_hz", 20}, {"duration_ms", 200}}, 0.4);
+TEST(Preview, EqualsWhatIsThenPlayed) {
+  expect_equals_played("effect.pulse", {{"direction", "left"}, {"current_a", 12}}, 0.3);
+  expect_equals_played("effect.pulse",
+                       {{"direction", {1, 1, 1}}, {"attack_ms", 50}, {"fade_ms", 50}}, 0.15);
+  expect_equals_played("effect.play", {{"pattern", "heartbeat"}, {"current_a", 10}}, 0.3);
+  expect_equals_played("effect.play", {{"pattern", "rain"}, {"rotate_to", "left"}}, 0.4);
+  expect_equals_played("effect.circle", {{"duration_ms", 3000}, {"stepping", "smooth"}}, 0.15);
+  expect_equals_played("effect.vibrate", {{"frequency_hz", 20}, {"duration_ms", 200}}, 0.4);
 }
 
-TEST(Preview, DutyIsWhatHoldsTheCurrentAndTheTimelineIsShort) {
+TEST(Preview, DutyHoldsTheCurrentAndTheTimelineIsShort) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kObserve);
-  const Json told = preview(rig, game, "effect.hold",
-                            {{"direction", "up"}, {"current_a", 5}, {"lease_ms", 9999}});
-  EXPECT_EQ(told["duration_ms"], 9999);
-  EXPECT_EQ(told["step_ms"], 50);
-  EXPECT_EQ(told["duty"].size(), 200u);
-  EXPECT_NEAR(told["duty"][100][2].get<double>(), 5 * 0.45 / 12, 0.01);
-  EXPECT_NEAR(told["duty"][100][0].get<double>(), 0, 1e-3);
-  EXPECT_EQ(told["limited_by"], nullptr);
-  EXPECT_EQ(told["limited_from_ms"], nullptr);
-  EXPECT_EQ(told["delivered"]["min"], 1);
-  EXPECT_GT(told["peak_temperature_c"], told["temperature_c"]);
+  const Json previewed = preview(rig, game, "effect.hold",
+                                 {{"direction", "up"}, {"current_a", 5}, {"lease_ms", 9999}});
+  EXPECT_EQ(previewed["duration_ms"], 9999);
+  EXPECT_EQ(previewed["step_ms"], 50);
+  EXPECT_EQ(previewed["duty"].size(), 200u);
+  EXPECT_NEAR(previewed["duty"][100][2].get<double>(), 5 * 0.45 / 12, 0.01);
+  EXPECT_NEAR(previewed["duty"][100][0].get<double>(), 0, 1e-3);
+  EXPECT_EQ(previewed["limited_by"], nullptr);
+  EXPECT_EQ(previewed["limited_from_ms"], nullptr);
+  EXPECT_EQ(previewed["delivered"]["min"], 1);
+  EXPECT_GT(previewed["peak_temperature_c"], previewed["temperature_c"]);
 }
 
-TEST(Preview, SaysWhatHeatWillTakeAndWhatTheOwnerTakes) {
+TEST(Preview, ReportsReductionByHeatAndByTheOwnersGain) {
   device::SimulatedBoardOptions hot;
   hot.ambient_c = 30.0;
   hot.start_c = 30.0;
@@ -112,19 +112,19 @@ TEST(Preview, SaysWhatHeatWillTakeAndWhatTheOwnerTakes) {
     rig.run(duration_ms);
   }
   const Json params{{"direction", "left"}, {"level", 1}, {"duration_ms", 8000}};
-  const Json told = preview(rig, game, "effect.pulse", params);
-  EXPECT_EQ(told["limited_by"], "thermal");
-  EXPECT_GT(told["limited_from_ms"], 300);
-  EXPECT_LT(told["delivered"]["min"], 0.9);
-  EXPECT_LT(told["peak_temperature_c"], 70);
+  const Json previewed = preview(rig, game, "effect.pulse", params);
+  EXPECT_EQ(previewed["limited_by"], "thermal");
+  EXPECT_GT(previewed["limited_from_ms"], 300);
+  EXPECT_LT(previewed["delivered"]["min"], 0.9);
+  EXPECT_LT(previewed["peak_temperature_c"], 70);
 
   rig.call(game, "events.subscribe", {{"types", {"effect_ended"}}});
   rig.call(game, "effect.pulse", params);
   rig.run(8100);
   const auto events = rig.on_event(game);
   ASSERT_EQ(events.size(), 1u);
-  EXPECT_NEAR(events[0]["delivered"]["mean"].get<double>(), told["delivered"]["mean"].get<double>(),
-              0.04);
+  EXPECT_NEAR(events[0]["delivered"]["mean"].get<double>(),
+              previewed["delivered"]["mean"].get<double>(), 0.04);
 
   rig.run(30'000);
   rig.call(game, "output.set_gain", {{"gain", 0.5}});
@@ -137,13 +137,13 @@ TEST(Preview, WorksOnABallThatIsNotArmed) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "device.emergency_stop");
-  const Json told = preview(rig, game, "effect.pulse", {{"direction", "left"}});
-  EXPECT_NEAR(told["peak_current_a"].get<double>(), 5.0, 0.2);
+  const Json previewed = preview(rig, game, "effect.pulse", {{"direction", "left"}});
+  EXPECT_NEAR(previewed["peak_current_a"].get<double>(), 5.0, 0.2);
   rig.run(50);
   EXPECT_EQ(rig.plant_current_a(), 0.0);
 }
 
-TEST(Preview, RefusesWhatPlayingWouldRefuseAndTooManyAtOnce) {
+TEST(Preview, RefusesAsPlayingDoesAndLimitsConcurrency) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   EXPECT_EQ(preview(rig, game, "effect.play", {{"pattern", "nothing"}})["code"], -32008);
@@ -161,16 +161,16 @@ TEST(Preview, RefusesWhatPlayingWouldRefuseAndTooManyAtOnce) {
                   {"params", {{"method", "effect.circle"}, {"params", {{"duration_ms", 9000}}}}}}
                  .dump();
   }
-  const Json answers = rig.say(game, batch + "]");
-  ASSERT_EQ(answers.size(), 6u);
-  EXPECT_TRUE(answers[0].contains("result"));
-  EXPECT_EQ(std::count_if(answers.begin(), answers.end(),
+  const Json responses = rig.exchange(game, batch + "]");
+  ASSERT_EQ(responses.size(), 6u);
+  EXPECT_TRUE(responses[0].contains("result"));
+  EXPECT_EQ(std::count_if(responses.begin(), responses.end(),
                           [](const Json& a) { return a.contains("error"); }),
             5)
       << "one connection works out one";
 }
 
-TEST(Preview, OfAClientThatIsGoneIsGivenUp) {
+TEST(Preview, OfADisconnectedClientIsCancelled) {
   ServerRig rig;
   const Json long_one{
       {"jsonrpc", "2.0"},
@@ -186,7 +186,7 @@ TEST(Preview, OfAClientThatIsGoneIsGivenUp) {
   const Json busy = preview(rig, late, "effect.pulse", {{"direction", "left"}});
   EXPECT_EQ(busy["code"], -32001);
   EXPECT_EQ(busy["data"]["limit"], Preview::kMaxAtOnce);
-  for (FakeClient* client : clients) rig.server->forget(client->session);
+  for (FakeClient* client : clients) rig.server->drop_responses(client->session);
   rig.run(1);
   EXPECT_TRUE(preview(rig, late, "effect.pulse", {{"direction", "left"}}).contains("duty"));
   rig.run(100);

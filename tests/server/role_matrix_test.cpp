@@ -53,7 +53,7 @@ class RoleMatrix : public testing::Test {
   ServerRig rig_;
 };
 
-TEST_F(RoleMatrix, EachRoleMayCallWhatTheTableGivesItAndNothingElse) {
+TEST_F(RoleMatrix, EachRoleMayCallOnlyTheMethodsOfTheTable) {
   using enum protocol::Role;
   for (const protocol::MethodInfo& method : protocol::kMethods) {
     for (const protocol::Role role : {kObserve, kPlay, kOperate}) {
@@ -66,7 +66,7 @@ TEST_F(RoleMatrix, EachRoleMayCallWhatTheTableGivesItAndNothingElse) {
   }
 }
 
-TEST_F(RoleMatrix, WhoNeedsATokenAndHasShownNoneMayCallNothing) {
+TEST_F(RoleMatrix, WithoutARequiredTokenNoMethodMayBeCalled) {
   for (const protocol::MethodInfo& method : protocol::kMethods)
     EXPECT_EQ(code_of(std::nullopt, method.name), kUnauthorized) << method.name;
 }
@@ -78,7 +78,7 @@ TEST_F(RoleMatrix, AForbiddenRequestHasNoEffect) {
       rig_.call(client, std::string(method.name), params_of(method.name));
   rig_.run(100);
   EXPECT_LT(rig_.plant_current_a(), 0.1);
-  EXPECT_EQ(rig_.memory.gain, -1.0);
+  EXPECT_EQ(rig_.state_store.gain, -1.0);
   EXPECT_TRUE(rig_.storage.files.empty());
 }
 

@@ -35,7 +35,7 @@ SavedState hot() {
   return s;
 }
 
-TEST(SavedState, ComesBackAsItWas) {
+TEST(SavedState, IsRestoredUnchanged) {
   const auto read = decode_saved_state(encode(hot()));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->heat.winding_c, hot().heat.winding_c);
@@ -47,7 +47,7 @@ TEST(SavedState, ComesBackAsItWas) {
   EXPECT_EQ(read->rearms, hot().rearms);
 }
 
-TEST(SavedState, WhatCannotBeIsNotBelieved) {
+TEST(SavedState, ImpossibleValuesAreRejected) {
   EXPECT_FALSE(decode_saved_state(""));
   EXPECT_FALSE(decode_saved_state("{}"));
   EXPECT_FALSE(decode_saved_state(encode(hot()).substr(0, 60)));
@@ -80,14 +80,14 @@ TEST(StartState, OnlyTheClockOfTheBootCreditsCooling) {
   EXPECT_EQ(start.winding_c, hot().heat.winding_c) << "a file without boot id";
 }
 
-TEST(StartState, AfterARebootOnlyTheTimeSinceThatIsCertain) {
+TEST(StartState, AfterARebootOnlyTheTimeSinceItCounts) {
   const char* other = "8f1c2a30-0000-4000-8000-000000000002";
   EXPECT_EQ(hottest_at({other, 0.0}), 60.0);
   EXPECT_NEAR(hottest_at({other, 60.0}), hottest_at({kBoot, 1060.0}), 1e-9);
   EXPECT_LT(hottest_at({other, 40.0}), 60.0) << "later than 1000 s of the boot before";
 }
 
-TEST(BootTime, IsOfThisBootAndGoesOn) {
+TEST(BootTime, IsOfThisBootAndIncreases) {
   const BootTime first = boot_time_now();
   const BootTime second = boot_time_now();
   EXPECT_EQ(first.boot_id.size(), 36u);
@@ -97,7 +97,7 @@ TEST(BootTime, IsOfThisBootAndGoesOn) {
   EXPECT_EQ(seconds_between(second, {first.boot_id, 0.0}), 0.0);
 }
 
-TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
+TEST(StartState, AMissingOrDamagedFileIsUnknown) {
   config::Config real;
   real.backend = config::Backend::kUsb;
   EXPECT_FALSE(daemon::start_state(real, std::nullopt, BootTime{}).settings.start_known);
@@ -116,7 +116,7 @@ TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
   EXPECT_EQ(warm.rearms, hot().rearms);
 }
 
-TEST(StartState, IsAsUncertainAsTheConstantsByWhichItCooled) {
+TEST(StartState, HasTheUncertaintyOfItsCoolingConstants) {
   const auto deviation_k = [](double thermal, double seconds) {
     config::Config real;
     real.backend = config::Backend::kUsb;
@@ -143,7 +143,7 @@ TEST(StartState, ALostStateStartsTrippedAndUnknown) {
   }
 }
 
-TEST(StartState, ASimulatedBallIsNeverPluggedInLate) {
+TEST(StartState, ASimulatedBallIsNeverAHotPlug) {
   config::Config config;
   config.backend = config::Backend::kUsb;
   EXPECT_EQ(daemon::start_state(config, std::nullopt, BootTime{}).settings.start_timeout, 10'000);
@@ -179,7 +179,7 @@ TEST(StartState, ArmsARealBallOnlyAfterACleanStop) {
             control::Reason::kSensorFrozen);
 }
 
-TEST(Disk, AFileIsTheOldOneOrTheNewOne) {
+TEST(Disk, AFileIsReplacedAtomically) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/state.json";
   EXPECT_EQ(base::write_file_atomically(path, "one"), "");
@@ -191,7 +191,7 @@ TEST(Disk, AFileIsTheOldOneOrTheNewOne) {
   EXPECT_NE(base::write_file_atomically(folder.path() + "/no/such/folder", "x"), "");
 }
 
-TEST(Disk, TheThreadDoesWhatIsQueuedBeforeItEnds) {
+TEST(Disk, TheThreadFinishesItsQueueBeforeItEnds) {
   int done = 0;
   {
     DiskThread disk;
@@ -200,7 +200,7 @@ TEST(Disk, TheThreadDoesWhatIsQueuedBeforeItEnds) {
   EXPECT_EQ(done, 10);
 }
 
-TEST(TripRecordings, ANumberThatTheHistoryNamesIsNeverGivenAgain) {
+TEST(TripRecordings, ANumberOfTheHistoryIsNeverReused) {
   const TemporaryFolder folder;
   std::ofstream(recording_path(folder.path(), 1)) << "x";
   control::FlightRecorder recorder;
@@ -217,7 +217,7 @@ TEST(TripRecordings, ANumberThatTheHistoryNamesIsNeverGivenAgain) {
     EXPECT_EQ(recording_number(wrong), 0u) << wrong;
 }
 
-TEST(TripRecordings, AreNumberedOnAndTheOldestGo) {
+TEST(TripRecordings, AreNumberedConsecutivelyAndTheOldestAreRemoved) {
   const TemporaryFolder folder;
   const auto make = [&](const char* name, int bytes) {
     std::ofstream(folder.path() + "/" + name) << std::string(static_cast<std::size_t>(bytes), 'x');

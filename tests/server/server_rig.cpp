@@ -7,7 +7,7 @@ namespace hedgehog::server {
 namespace {
 
 constexpr std::int64_t kEpochNs = 5'000'000'000;
-constexpr model::Tick kPatience = 1000;
+constexpr model::Tick kMaxTicks = 1000;
 
 control::ControlSettings armed_settings(const config::Config& config,
                                         const device::SimulatedBoardOptions& board) {
@@ -33,7 +33,7 @@ ServerRig::ServerRig(config::Config settings, const device::SimulatedBoardOption
                                                    nullptr);
   device_view = std::make_unique<DeviceView>(config, *mailbox, *port, kEpochNs);
   server = std::make_unique<Server>(
-      *device_view, memory, patterns, history,
+      *device_view, state_store, patterns, history,
       [this](const control::Event& event, const Effect*) { events.push_back(event); },
       [this] { return wall_ms(); });
   run(200);
@@ -59,7 +59,7 @@ void ServerRig::run(model::Tick ticks) {
   }
 }
 
-void ServerRig::run_unheard(model::Tick ticks) {
+void ServerRig::run_without_pump(model::Tick ticks) {
   for (model::Tick i = 0; i < ticks; ++i) {
     control->run(++tick_, 0, {});
     world.step();
@@ -67,14 +67,14 @@ void ServerRig::run_unheard(model::Tick ticks) {
   }
 }
 
-Json ServerRig::say(FakeClient& client, const std::string& line) {
+Json ServerRig::exchange(FakeClient& client, const std::string& line) {
   server->line(client.session, line);
-  for (model::Tick i = 0; i < kPatience; ++i) {
+  for (model::Tick i = 0; i < kMaxTicks; ++i) {
     for (auto it = client.lines.begin(); it != client.lines.end(); ++it) {
       if (it->kind == LineKind::kResponse) {
-        Json answer = Json::parse(it->text);
+        Json response = Json::parse(it->text);
         client.lines.erase(it);
-        return answer;
+        return response;
       }
     }
     run(1);
@@ -86,15 +86,15 @@ Json ServerRig::say(FakeClient& client, const std::string& line) {
 Json ServerRig::call(FakeClient& client, const std::string& method, const Json& params) {
   const Json request{
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
-  const Json answer = say(client, request.dump());
-  EXPECT_EQ(answer.value("id", -1), next_id_);
+  const Json response = exchange(client, request.dump());
+  EXPECT_EQ(response.value("id", -1), next_id_);
   const auto known = protocol::method_named(method);
-  if (known && answer.contains("error")) {
-    const auto code = static_cast<protocol::ErrorCode>(answer["error"].value("code", 0));
+  if (known && response.contains("error")) {
+    const auto code = static_cast<protocol::ErrorCode>(response["error"].value("code", 0));
     EXPECT_TRUE(protocol::possible_errors(protocol::info(*known)).contains(code))
         << method << " lists no " << protocol::name(code) << " among its errors";
   }
-  return answer.contains("result") ? answer["result"] : answer.value("error", Json::object());
+  return response.contains("result") ? response["result"] : response.value("error", Json::object());
 }
 
 std::vector<Json> ServerRig::on_event(FakeClient& client, LineKind kind) {

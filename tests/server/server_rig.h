@@ -21,7 +21,7 @@ namespace hedgehog::server {
 
 using Json = nlohmann::json;
 
-class FakeMemory final : public StateStore {
+class FakeStateStore final : public StateStore {
  public:
   void persist_gain(double value) override { gain = value; }
   std::uint64_t persist_latch(control::Reason reason) override {
@@ -43,7 +43,7 @@ inline DiskWorkPtr done_work(const std::string& problem = {}) {
   return work;
 }
 
-class FakeShelf final : public PatternStorage {
+class FakePatternStorage final : public PatternStorage {
  public:
   DiskWorkPtr keep(const std::string& name, std::string json) override {
     if (full) return nullptr;
@@ -88,12 +88,12 @@ class ServerRig {
   /// Runs all components for `ticks` milliseconds; the server pumps after each.
   void run(model::Tick ticks);
   /// The same, but the server only reads the snapshots: events and responses are not processed.
-  void run_unheard(model::Tick ticks);
+  void run_without_pump(model::Tick ticks);
   /// Sends `method` with `params` and runs until the response arrives; returns its result, or its
   /// error.
   Json call(FakeClient& client, const std::string& method, const Json& params = Json::object());
   /// The same for a line of any kind; returns the whole response.
-  Json say(FakeClient& client, const std::string& line);
+  Json exchange(FakeClient& client, const std::string& line);
   /// All lines of `kind` since the last call.
   std::vector<Json> on_event(FakeClient& client, LineKind kind = LineKind::kEvent);
   double plant_current_a() { return model::norm(world.board().plant().current_a()); }
@@ -101,8 +101,8 @@ class ServerRig {
   config::Config config;
   std::unique_ptr<control::Mailbox> mailbox = std::make_unique<control::Mailbox>();
   std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
-  FakeMemory memory;
-  FakeShelf storage;
+  FakeStateStore state_store;
+  FakePatternStorage storage;
   PatternLibrary patterns{storage, {}};
   /// The content of the history's files.
   std::string history_lines;

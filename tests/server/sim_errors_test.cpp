@@ -7,7 +7,7 @@
 namespace hedgehog::server {
 namespace {
 
-TEST(SimErrors, ActAreAnsweredAndMeasuredAndTheTruthStays) {
+TEST(SimErrors, ActOnMeasurementsAndNotOnTheTrueState) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   const Json set =
@@ -31,14 +31,14 @@ TEST(SimErrors, ActAreAnsweredAndMeasuredAndTheTruthStays) {
   EXPECT_NEAR(rig.call(owner, "device.status")["supply_v"], 12.0, 0.1);
 }
 
-TEST(SimErrors, ThatCannotBeAreRefusedByFieldAndChangeNothing) {
+TEST(SimErrors, OutOfRangeAreRefusedByFieldAndChangeNothing) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   const auto refused = [&](const Json& error) {
-    const Json answer =
+    const Json response =
         rig.call(owner, "sim.set", {{"errors", {{{"kind", "tach_gain"}, {"value", 0.5}}, error}}});
-    EXPECT_EQ(answer["code"], -32602) << answer;
-    return answer["data"]["field"].get<std::string>();
+    EXPECT_EQ(response["code"], -32602) << response;
+    return response["data"]["field"].get<std::string>();
   };
   EXPECT_EQ(refused({{"kind", "gremlins"}, {"value", 1}}), "errors[1].kind");
   EXPECT_EQ(refused({{"kind", "shorted_turns"}, {"value", 0.95}}), "errors[1].value");

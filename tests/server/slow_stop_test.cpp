@@ -2,16 +2,16 @@
 // An emergency stop while the disk neither completes nor fails writing its latch.
 #include <gtest/gtest.h>
 
-#include "tests/e2e/patience.h"
+#include "tests/e2e/timeout.h"
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
 namespace {
 
-TEST(SlowStop, IsAnsweredThoughNobodyKnowsWhetherTheLatchIsOnDisk) {
+TEST(SlowStop, IsAnsweredWhileTheLatchIsNotYetOnDisk) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
-  rig.memory.persisted = Persisted::kPending;
+  rig.state_store.persisted = Persisted::kPending;
   rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
   // The timeout is in real time, unlike the ticks of the rig.
   ASSERT_TRUE(e2e::wait_until([&] {

@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-TEST(StartupGrace, IsHalfASecondOfTheClockAndOfControl) {
+TEST(StartupGrace, IsHalfASecondOfTheClockAndOfControlTicks) {
   const StartupGrace::Clock::time_point begun{};
   const StartupGrace usb_info(begun);
   EXPECT_FALSE(usb_info.over(begun + milliseconds(400), 600))

@@ -14,7 +14,7 @@
 namespace hedgehog::server {
 namespace {
 
-TEST(TelemetryHistory, TellsWhatWasPlayed) {
+TEST(TelemetryHistory, HasWhatWasPlayed) {
   ServerRig rig;
   FakeClient& page = rig.connect(protocol::Role::kObserve);
   FakeClient& game = rig.connect();
@@ -52,8 +52,8 @@ TEST(TelemetryHistory, ALimitIsNeverAboveTheConfiguredOne) {
     protocol::Status status;
     status.limit_a = configured_a;
     samples.add(now, status);
-    const Json told = Json::parse(protocol::encode_value(samples.recent(10, now.tick, 0)));
-    const double limit_a = told["samples"][0]["limit_a"];
+    const Json history = Json::parse(protocol::encode_value(samples.recent(10, now.tick, 0)));
+    const double limit_a = history["samples"][0]["limit_a"];
     EXPECT_LE(limit_a, configured_a);
     EXPECT_GT(limit_a, configured_a - 0.00999);
     if (configured_a != 7.777 && configured_a != 14.996) EXPECT_EQ(limit_a, configured_a);
@@ -84,7 +84,7 @@ struct Filled {
   protocol::Status status;
 };
 
-TEST(TelemetryHistory, IsBoundedAndAnAnswerFitsALine) {
+TEST(TelemetryHistory, IsBoundedAndAResponseFitsALine) {
   const Filled day(86'400);
   const auto all = day.recent(600);
   ASSERT_EQ(all.samples.size(), 200u);
@@ -96,39 +96,39 @@ TEST(TelemetryHistory, IsBoundedAndAnAnswerFitsALine) {
   EXPECT_EQ(day.recent(120).samples.size(), 120u);
 }
 
-TEST(TelemetryHistory, OutlivesARestartWithTheGap) {
+TEST(TelemetryHistory, PersistsOverARestartWithTheGap) {
   const Filled before(100);
-  const std::string kept = before.samples.encoded(before.now.tick, 5'000'000);
-  EXPECT_LT(kept.size(), 64u * 1024);
+  const std::string encoded = before.samples.encoded(before.now.tick, 5'000'000);
+  EXPECT_LT(encoded.size(), 64u * 1024);
   TelemetrySamples after;
-  after.restore(kept, 50, 5'000'000 + 30'000);
+  after.restore(encoded, 50, 5'000'000 + 30'000);
   const auto all = after.recent(600, 50, 0);
   ASSERT_EQ(all.samples.size(), before.recent(600).samples.size());
   EXPECT_NEAR(all.samples.back().age_s, before.recent(600).samples.back().age_s + 30.0, 0.01);
   EXPECT_EQ(all.samples.back().coils_c, before.recent(600).samples.back().coils_c);
 }
 
-TEST(TelemetryHistory, LeavesOutWhatCannotBeTrue) {
+TEST(TelemetryHistory, LeavesOutImpossibleValues) {
   const Filled before(10);
-  const std::string kept = before.samples.encoded(before.now.tick, 5'000'000);
+  const std::string encoded = before.samples.encoded(before.now.tick, 5'000'000);
   const auto restored = [](const std::string& bytes, std::int64_t unix_ms) {
     TelemetrySamples samples;
     samples.restore(bytes, 0, unix_ms);
     return samples.recent(600, 0, 0).samples.size();
   };
-  EXPECT_GT(restored(kept, 5'000'000), 0u);
-  EXPECT_EQ(restored(kept, 4'999'999), 0u) << "from the future: the clock was set back";
-  EXPECT_EQ(restored(kept, 5'000'000 + 3'600'000), 0u) << "too old";
+  EXPECT_GT(restored(encoded, 5'000'000), 0u);
+  EXPECT_EQ(restored(encoded, 4'999'999), 0u) << "from the future: the clock was set back";
+  EXPECT_EQ(restored(encoded, 5'000'000 + 3'600'000), 0u) << "too old";
   EXPECT_EQ(restored("", 5'000'000), 0u);
-  EXPECT_EQ(restored(kept.substr(0, kept.size() - 1), 5'000'000), 0u) << "cut off";
-  for (const std::size_t place : {std::size_t{0}, std::size_t{24}, kept.size() - 3}) {
-    std::string damaged = kept;
+  EXPECT_EQ(restored(encoded.substr(0, encoded.size() - 1), 5'000'000), 0u) << "cut off";
+  for (const std::size_t place : {std::size_t{0}, std::size_t{24}, encoded.size() - 3}) {
+    std::string damaged = encoded;
     damaged[place] = static_cast<char>(damaged[place] + 1);
     EXPECT_EQ(restored(damaged, 5'000'000), 0u) << place;
   }
 }
 
-TEST(TelemetryHistory, WhatIsNotKnownIsLeftOut) {
+TEST(TelemetryHistory, LeavesOutUnknownValues) {
   TelemetrySamples samples;
   control::StatusSnapshot now;
   now.tick = 1000;
@@ -141,7 +141,7 @@ TEST(TelemetryHistory, WhatIsNotKnownIsLeftOut) {
   EXPECT_EQ(all.samples[0].headroom_s, std::nullopt);
 }
 
-TEST(TelemetryHistory, IsOnDiskAMinuteLaterWhenSomethingHasFlowed) {
+TEST(TelemetryHistory, IsOnDiskAMinuteAfterACurrent) {
   const TemporaryFolder folder;
   EXPECT_EQ(load_telemetry(folder.path()), "");
   Filled filled(10);

@@ -46,7 +46,7 @@ TEST(TelemetryPublisher, SendsASliceAndLeavesTheRestForTheNextPumps) {
   }
 }
 
-TEST(TelemetryPublisher, NobodyWaitsForMoreThanAllTheOthersWhenThereIsTooMuchToSend) {
+TEST(TelemetryPublisher, UnderOverloadSubscribersAreServedInTurn) {
   static_assert(kCrowd <= 2 * TelemetryPublisher::kSlice);
   ServerRig rig;
   const auto clients = crowd(rig, 1);
@@ -56,7 +56,7 @@ TEST(TelemetryPublisher, NobodyWaitsForMoreThanAllTheOthersWhenThereIsTooMuchToS
   for (const FakeClient* client : clients) EXPECT_GE(client->lines.size(), kPumps / 2);
 }
 
-TEST(TelemetryPublisher, OtherFieldsAreAnotherLine) {
+TEST(TelemetryPublisher, EachSetOfFieldsIsOneLine) {
   ServerRig rig;
   FakeClient& one = rig.connect();
   FakeClient& other = rig.connect();
@@ -71,7 +71,7 @@ TEST(TelemetryPublisher, OtherFieldsAreAnotherLine) {
   EXPECT_EQ(first["time_ns"], second["time_ns"]);
 }
 
-TEST(TelemetryPublisher, WhoWaitsForItsTurnAndUnsubscribesOrClosesGetsNoMore) {
+TEST(TelemetryPublisher, AWaitingSubscriberThatUnsubscribesOrClosesGetsNoMore) {
   ServerRig rig;
   const auto clients = crowd(rig, 100);
   rig.run(1);
@@ -83,7 +83,7 @@ TEST(TelemetryPublisher, WhoWaitsForItsTurnAndUnsubscribesOrClosesGetsNoMore) {
   EXPECT_EQ(lines(clients), kCrowd - 2);
 }
 
-TEST(TelemetryPublisher, WhoSubscribesAnewWhileItWaitsIsServedOnce) {
+TEST(TelemetryPublisher, AWaitingSubscriberThatResubscribesIsServedOnce) {
   ServerRig rig;
   const auto clients = crowd(rig, 100);
   rig.run(1);

@@ -8,7 +8,7 @@
 namespace hedgehog::server {
 namespace {
 
-constexpr int kTokenWanted = -32003;
+constexpr int kTokenRequired = -32003;
 constexpr int kRoleTooLow = -32004;
 const Json kPulse{{"direction", "left"}, {"duration_ms", 5000}};
 
@@ -48,7 +48,7 @@ TEST_F(Tokens, GiveAConnectionTheirRole) {
   EXPECT_FALSE(rig_.call(client, "output.set_gain", {{"gain", 0.5}}).contains("code"));
 }
 
-TEST_F(Tokens, TakeRolesAwayToo) {
+TEST_F(Tokens, LimitRolesToo) {
   FakeClient& client = rig_.connect(protocol::Role::kOperate);
   client.session.transport = "unix";
   EXPECT_EQ(log_in(client, "play-secret")["role"], "play");
@@ -60,34 +60,34 @@ TEST_F(Tokens, TakeRolesAwayToo) {
 TEST_F(Tokens, AWrongOneChangesNothingAndIsNotRepeated) {
   FakeClient& client = rig_.connect(protocol::Role::kObserve);
   const Json error = log_in(client, "play-secreT");
-  EXPECT_EQ(error["code"], kTokenWanted);
+  EXPECT_EQ(error["code"], kTokenRequired);
   EXPECT_EQ(error["data"]["field"], "token");
   EXPECT_THAT(error.dump(), testing::Not(testing::HasSubstr("secre")));
   EXPECT_EQ(rig_.call(client, "hello")["role"], "observe");
 }
 
-TEST_F(Tokens, WithoutOneALockedConnectionCannotEvenStopTheBall) {
+TEST_F(Tokens, WithoutOneALockedConnectionCannotStopTheBall) {
   FakeClient& client = remote();
-  EXPECT_EQ(rig_.call(client, "device.emergency_stop")["code"], kTokenWanted);
-  EXPECT_EQ(rig_.call(client, "hello")["code"], kTokenWanted);
+  EXPECT_EQ(rig_.call(client, "device.emergency_stop")["code"], kTokenRequired);
+  EXPECT_EQ(rig_.call(client, "hello")["code"], kTokenRequired);
   rig_.run(50);
   EXPECT_EQ(rig_.device_view->now().state, control::State::kArmed) << "a stranger cannot stop it";
   EXPECT_EQ(log_in(client, "play-secret")["role"], "play");
   EXPECT_FALSE(rig_.call(client, "device.emergency_stop").contains("code"));
 }
 
-TEST_F(Tokens, AfterAFewWrongOnesAnAddressHasToWaitAndOthersHaveNot) {
-  FakeClient& guesser = remote("192.0.2.7:5000");
+TEST_F(Tokens, AfterAFewWrongOnesOnlyThatAddressHasToWait) {
+  FakeClient& client = remote("192.0.2.7:5000");
   for (int i = 0; i <= FailedTokens::kFree; ++i)
-    EXPECT_EQ(log_in(guesser, "guess")["code"], kTokenWanted);
+    EXPECT_EQ(log_in(client, "guess")["code"], kTokenRequired);
   const Json waits = log_in(remote("192.0.2.7:5001"), "play-secret");
-  EXPECT_EQ(waits["code"], kTokenWanted) << "it is not even looked at";
+  EXPECT_EQ(waits["code"], kTokenRequired) << "it is not even looked at";
   EXPECT_GT(waits["data"]["retry_after_ms"], 900);
   EXPECT_EQ(log_in(remote("192.0.2.8:5000"), "play-secret")["role"], "play");
   FakeClient& local = rig_.connect(protocol::Role::kOperate);
   EXPECT_EQ(log_in(local, "play-secret")["role"], "play") << "the Unix socket has no address";
   rig_.run(FailedTokens::kFirstWait);
-  EXPECT_EQ(log_in(guesser, "play-secret")["role"], "play");
+  EXPECT_EQ(log_in(client, "play-secret")["role"], "play");
 }
 
 TEST_F(Tokens, ARevokedOneEndsItsConnectionsAndTheirEffects) {
@@ -112,7 +112,7 @@ TEST_F(Tokens, ARevokedOneEndsItsConnectionsAndTheirEffects) {
       R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":{"direction":"left"}})");
   rig_.run(50);
   EXPECT_LT(rig_.plant_current_a(), 0.1);
-  EXPECT_EQ(rig_.call(remote(), "hello", {{"token", "play-secret"}})["code"], kTokenWanted);
+  EXPECT_EQ(rig_.call(remote(), "hello", {{"token", "play-secret"}})["code"], kTokenRequired);
 }
 
 TEST_F(Tokens, AnotherRoleOrAnotherTokenOfTheSameNameEndsConnectionsToo) {
@@ -126,7 +126,7 @@ TEST_F(Tokens, AnotherRoleOrAnotherTokenOfTheSameNameEndsConnectionsToo) {
   EXPECT_TRUE(owner.finished);
 }
 
-TEST_F(Tokens, OnceThereIsOneTcpWithoutAnyMayOnlyObserve) {
+TEST_F(Tokens, IfOneExistsTcpWithoutATokenMayOnlyObserve) {
   FakeClient& client = rig_.connect(protocol::Role::kPlay);
   set({});
   EXPECT_EQ(rig_.call(client, "hello")["role"], "play");
@@ -177,7 +177,7 @@ TEST_F(Tokens, AReloadDuringAHandshakeIsAppliedWhenTheConnectionOpens) {
   EXPECT_EQ(kept.session.role, protocol::Role::kOperate);
 }
 
-TEST_F(Tokens, LockedConnectionsTakeNoPlaceAndGetOneByTheirToken) {
+TEST_F(Tokens, LockedConnectionsTakeNoPlaceBeforeTheirToken) {
   settings_.connections.max = 2;
   rig_.server->set_access(settings_);
   rig_.connect(protocol::Role::kObserve);
@@ -187,7 +187,7 @@ TEST_F(Tokens, LockedConnectionsTakeNoPlaceAndGetOneByTheirToken) {
   EXPECT_EQ(log_in(first, "play-secret")["role"], "play");
   EXPECT_EQ(rig_.server->connections(), 2u);
   EXPECT_EQ(log_in(second, "play-secret")["code"], -32001) << "busy";
-  EXPECT_EQ(rig_.call(second, "ping")["code"], kTokenWanted);
+  EXPECT_EQ(rig_.call(second, "ping")["code"], kTokenRequired);
   rig_.disconnect(first);
   EXPECT_EQ(log_in(second, "play-secret")["role"], "play");
 }

@@ -42,7 +42,7 @@ TEST_F(TooHot, AnArmedBallThatMayPlayHasNoReason) {
   EXPECT_EQ(view_.reason_now(), std::nullopt) << "derated";
 }
 
-TEST_F(TooHot, AnArmedBallThatMayNotSaysWhatIsHow) {
+TEST_F(TooHot, AnArmedBallThatMayNotReportsTheHotPart) {
   snapshot_.limit_a = 0.0;
   snapshot_.thermal.hottest_c = 143.2;
   show();
@@ -78,7 +78,7 @@ TEST_F(TooHot, TheLimitThatIsShownIsNeverAboveTheConfiguredOne) {
   EXPECT_EQ(view_.shown_limit_a(15.0), 7.777) << "control has not taken the new limits yet";
 }
 
-TEST(HotStart, ABallThatMayNotBeHeldIsArmedAndSaysWhyNothingPlays) {
+TEST(HotStart, ABallTooHotToHoldIsArmedAndReportsWhyNothingPlays) {
   ServerRig rig({}, {.start_c = 60.0});
   FakeClient& client = rig.connect();
   for (const char* method : {"hello", "device.status", "events.subscribe"}) {

@@ -64,14 +64,14 @@ TEST_F(UnixUsers, HaveTheRoleOfTheirList) {
   EXPECT_EQ(rig_.call(local(::geteuid()), "hello")["role"], "operate");
 }
 
-TEST_F(UnixUsers, OnTheSimulatorTheListsCountToo) {
+TEST_F(UnixUsers, OnTheSimulatorTheListsApplyToo) {
   settings_.backend = config::Backend::kSimulator;
   reload(settings_.access.unix_roles);
   EXPECT_EQ(rig_.call(local(kBob), "hello")["code"], kNoRoleCode);
   EXPECT_EQ(rig_.call(local(kAlice), "hello")["role"], "play");
 }
 
-TEST_F(UnixUsers, WithoutARoleNothingIsCarriedOutAndNoCurrentFlows) {
+TEST_F(UnixUsers, WithoutARoleNothingIsExecutedAndNoCurrentFlows) {
   FakeClient& bob = local(kBob);
   for (const std::string method : {"effect.pulse", "effect.hold", "device.arm", "device.status",
                                    "device.emergency_stop", "output.set_gain"}) {
@@ -91,13 +91,13 @@ TEST_F(UnixUsers, WithoutARoleNothingIsCarriedOutAndNoCurrentFlows) {
   EXPECT_EQ(rig_.server->connections(), 0u) << "it takes nobody's place";
 }
 
-TEST_F(UnixUsers, WithoutARoleMayShowAToken) {
+TEST_F(UnixUsers, WithoutARoleMaySendAToken) {
   FakeClient& bob = local(kBob);
   EXPECT_EQ(rig_.call(bob, "hello", {{"token", "owner-secret"}})["role"], "operate");
   EXPECT_TRUE(rig_.call(bob, "effect.pulse", kLongPush)["accepted"]);
 }
 
-TEST_F(UnixUsers, WhoShowsWrongTokensHasToWaitAndOthersHaveNot) {
+TEST_F(UnixUsers, WithWrongTokensHaveToWaitAndOthersNot) {
   for (int i = 0; i <= FailedTokens::kFree; ++i)
     EXPECT_EQ(rig_.call(local(kBob), "hello", {{"token", "guess"}})["code"], kNoRoleCode);
   const Json waits = rig_.call(local(kBob), "hello", {{"token", "owner-secret"}});
@@ -106,7 +106,7 @@ TEST_F(UnixUsers, WhoShowsWrongTokensHasToWaitAndOthersHaveNot) {
             "operate");
 }
 
-TEST_F(UnixUsers, WhoLosesARoleAtAReloadLosesItsEffects) {
+TEST_F(UnixUsers, ThatLoseTheirRoleAtAReloadLoseTheirEffects) {
   FakeClient& alice = local(kAlice);
   FakeClient& root = local(0);
   ASSERT_TRUE(rig_.call(alice, "effect.pulse", kLongPush)["accepted"]);
@@ -122,7 +122,7 @@ TEST_F(UnixUsers, WhoLosesARoleAtAReloadLosesItsEffects) {
   EXPECT_EQ(rig_.call(local(kAlice), "hello")["role"], "observe");
 }
 
-TEST_F(UnixUsers, WhoseRoleStaysTheSameStaysConnected) {
+TEST_F(UnixUsers, WithAnUnchangedRoleStayConnected) {
   FakeClient& alice = local(kAlice);
   FakeClient& bob = local(kBob);
   FakeClient& with_token = local(kBob);
@@ -134,7 +134,7 @@ TEST_F(UnixUsers, WhoseRoleStaysTheSameStaysConnected) {
   EXPECT_EQ(rig_.call(local(kBob), "hello")["role"], "play");
 }
 
-TEST_F(UnixUsers, AreShownToWhoOperates) {
+TEST_F(UnixUsers, AreShownToOperators) {
   FakeClient& alice = local(kAlice);
   EXPECT_EQ(rig_.call(alice, "connection.list")["data"]["name"], "forbidden");
   rig_.connect(protocol::Role::kObserve);

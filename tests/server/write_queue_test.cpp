@@ -36,20 +36,20 @@ TEST(WriteQueue, ASlowReaderLosesTelemetryFirst) {
   EXPECT_EQ(queue.telemetry_dropped(), 15u);
 }
 
-TEST(WriteQueue, AnswersAndEventsPushTelemetryOut) {
+TEST(WriteQueue, ResponsesAndEventsDisplaceTelemetry) {
   WriteQueue queue(kMax);
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
   EXPECT_EQ(drain(queue).find('t'), std::string::npos);
 }
 
-TEST(WriteQueue, WhoReadsNothingMustGo) {
+TEST(WriteQueue, AReaderThatReadsNothingIsDisconnected) {
   WriteQueue queue(kMax);
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
   EXPECT_FALSE(queue.push("e", LineKind::kEvent));
 }
 
-TEST(WriteQueue, AnswersAreCountedUntilTheyAreSent) {
+TEST(WriteQueue, ResponsesAreCountedUntilTheyAreSent) {
   WriteQueue queue(kMax);
   EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
   EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
@@ -65,7 +65,7 @@ TEST(WriteQueue, AnswersAreCountedUntilTheyAreSent) {
   EXPECT_EQ(queue.response_bytes(), 0u);
 }
 
-TEST(WriteQueue, WhatIsBeingSentStaysWhereItIs) {
+TEST(WriteQueue, TheLineBeingSentStaysInPlace) {
   WriteQueue queue(kMax);
   EXPECT_TRUE(queue.push(std::string(299, 't'), LineKind::kTelemetry));
   const std::string& sending = queue.take();

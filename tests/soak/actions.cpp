@@ -42,14 +42,14 @@ void Actions::act() {
     void (Actions::*action)();
   };
   static constexpr std::array kChoices{
-      Choice{50, &Actions::requests},    Choice{9, &Actions::batches},
-      Choice{9, &Actions::damaged_line}, Choice{2, &Actions::long_line},
-      Choice{3, &Actions::partial_line}, Choice{4, &Actions::new_client},
-      Choice{3, &Actions::leave},        Choice{2, &Actions::flood},
-      Choice{4, &Actions::read_again},   Choice{3, &Actions::subscribe},
-      Choice{2, &Actions::web_page},     Choice{2, &Actions::web_frames},
-      Choice{1, &Actions::foreigner},    Choice{1, &Actions::reload},
-      Choice{5, &Actions::mend_ball}};
+      Choice{50, &Actions::requests},      Choice{9, &Actions::batches},
+      Choice{9, &Actions::damaged_line},   Choice{2, &Actions::long_line},
+      Choice{3, &Actions::partial_line},   Choice{4, &Actions::new_client},
+      Choice{3, &Actions::disconnect},     Choice{2, &Actions::flood},
+      Choice{4, &Actions::read_again},     Choice{3, &Actions::subscribe},
+      Choice{2, &Actions::web_page},       Choice{2, &Actions::web_frames},
+      Choice{1, &Actions::foreign_client}, Choice{1, &Actions::reload},
+      Choice{5, &Actions::repair_ball}};
   std::size_t all = 0;
   for (const Choice& choice : kChoices) all += static_cast<std::size_t>(choice.weight);
   auto left = static_cast<int>(random_.below(all));
@@ -62,7 +62,7 @@ void Actions::act() {
 
 Transport Actions::any_transport() { return static_cast<Transport>(random_.below(3)); }
 
-Peer& Actions::somebody() {
+Peer& Actions::random_peer() {
   const std::size_t place = random_.below(Traffic::kPlaces);
   const Transport transport = any_transport();
   Peer* const there = traffic_.peer(place);
@@ -77,25 +77,25 @@ void Actions::send(Peer& peer, const std::string& message) {
 }
 
 void Actions::requests() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   const std::size_t count = random_.percent(5) ? 100 : 1 + random_.below(8);
   for (std::size_t i = 0; i < count; ++i)
     send(peer, random_.percent(80) ? generator_.valid() : generator_.invalid());
 }
 
 void Actions::batches() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   send(peer, generator_.batch());
 }
 
 void Actions::damaged_line() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   const std::string line = random_.percent(70) ? generator_.valid() : generator_.batch();
   send(peer, one_line(damaged(random_, line)));
 }
 
 void Actions::long_line() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   const std::string ping = generator_.request("ping");
   if (random_.percent(50))
     send(peer, ping + std::string(e2e::kMaxLine - ping.size(), ' '));
@@ -104,7 +104,7 @@ void Actions::long_line() {
 }
 
 void Actions::partial_line() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   const std::string line = generator_.valid();
   const std::size_t first = 1 + random_.below(line.size() - 1);
   if (peer.transport() == Transport::kWebSocket || (!arms_ && line.find("device.a") != line.npos))
@@ -120,8 +120,8 @@ void Actions::new_client() {
   traffic_.connect(place, transport, buffer);
 }
 
-void Actions::leave() {
-  Peer& peer = somebody();
+void Actions::disconnect() {
+  Peer& peer = random_peer();
   switch (random_.below(3)) {
     case 0:
       peer.close();
@@ -131,13 +131,13 @@ void Actions::leave() {
       break;
     default:
       // On WebSocket it is an end without a close frame; no response is required then.
-      if (peer.transport() == Transport::kWebSocket) peer.provoke("half close");
+      if (peer.transport() == Transport::kWebSocket) peer.allow_close("half close");
       peer.half_close();
   }
 }
 
 void Actions::flood() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   if (random_.percent(80)) peer.read(false);
   static const std::vector<std::string> kMethods{"device.describe", "device.status", "pattern.list",
                                                  "effect.stop_all", "ping"};
@@ -152,7 +152,7 @@ void Actions::read_again() {
 }
 
 void Actions::subscribe() {
-  Peer& peer = somebody();
+  Peer& peer = random_peer();
   static const std::vector<std::string> kRequests{"telemetry.subscribe", "telemetry.subscribe",
                                                   "telemetry.unsubscribe", "events.subscribe",
                                                   "events.unsubscribe"};
@@ -191,41 +191,41 @@ void Actions::web_frames() {
   const std::string text = generator_.valid();
   switch (random_.below(7)) {
     case 0:
-      peer.provoke("a binary frame");
+      peer.allow_close("a binary frame");
       peer.send_bytes(web_frame(kBinaryFrame, text));
       break;
     case 1:
-      peer.provoke("a close frame");
+      peer.allow_close("a close frame");
       peer.send_bytes(web_frame(kCloseFrame, std::string("\x03\xe8", 2)));
       break;
     case 2:
       peer.send_bytes(web_frame(kPingFrame, random_.bytes(random_.below(126))));
       break;
     case 3:
-      peer.provoke("frames without a mask");
+      peer.allow_close("frames without a mask");
       peer.send_bytes(std::string("\x81\x02{}", 4));
       break;
     case 4:
-      peer.provoke("an unknown kind of frame");
+      peer.allow_close("an unknown kind of frame");
       peer.send_bytes(web_frame(static_cast<int>(3 + random_.below(5)), text));
       break;
     case 5:
-      peer.provoke("a frame of a size that cannot be");
+      peer.allow_close("a frame of a size that cannot be");
       peer.send_bytes("\x81\xff" + std::string(8, '\x7f') + "mask");
       break;
     default:
-      peer.provoke("random bytes");
+      peer.allow_close("random bytes");
       peer.send_bytes(random_.bytes(1 + random_.below(400)));
   }
 }
 
-void Actions::foreigner() {
+void Actions::foreign_client() {
   const std::size_t place = random_.below(Traffic::kPlaces);
   const Transport transport = random_.percent(50) ? Transport::kTcp : Transport::kUnix;
   std::string first = random_.bytes(1 + random_.below(300));
-  static const std::string kOfRequests = "{[ \t\r\n";
-  if (kOfRequests.find(first[0]) != std::string::npos) first[0] = 'G';
-  traffic_.connect_foreigner(place, transport, first);
+  static const std::string kRequestStarts = "{[ \t\r\n";
+  if (kRequestStarts.find(first[0]) != std::string::npos) first[0] = 'G';
+  traffic_.connect_foreign(place, transport, first);
 }
 
 void Actions::reload() {
@@ -247,8 +247,8 @@ void Actions::reload() {
   traffic_.reload(next.json, is_good, next.current_a);
 }
 
-void Actions::mend_ball() {
-  Peer& peer = somebody();
+void Actions::repair_ball() {
+  Peer& peer = random_peer();
   send(peer, generator_.request("sim.set", R"({"fault":{},"errors":[],"ambient_c":25})"));
   send(peer, generator_.request("device.arm"));
   send(peer, generator_.request("effect.hold", R"({"direction":)" + json_string("up") +

@@ -26,10 +26,10 @@ class Actions {
 
   void act();
   /// From now on no action arms the ball.
-  void keep_latched() noexcept { arms_ = false; }
+  void disable_arming() noexcept { arms_ = false; }
 
  private:
-  Peer& somebody();
+  Peer& random_peer();
   Transport any_transport();
   void send(Peer& peer, const std::string& message);
   void requests();
@@ -38,15 +38,15 @@ class Actions {
   void long_line();
   void partial_line();
   void new_client();
-  void leave();
+  void disconnect();
   void flood();
   void read_again();
   void subscribe();
   void web_page();
   void web_frames();
-  void foreigner();
+  void foreign_client();
   void reload();
-  void mend_ball();
+  void repair_ball();
 
   Random& random_;
   RequestGenerator& generator_;

@@ -26,7 +26,7 @@ void EffectsModel::event(const protocol::Json& params) {
   }
 }
 
-std::string EffectsModel::unended() const {
+std::string EffectsModel::active() const {
   std::string text;
   for (const std::uint32_t effect : open_) text += " " + std::to_string(effect);
   return text;

@@ -19,7 +19,7 @@ class EffectsModel {
   void event(const protocol::Json& params);
   bool has_ended(std::uint32_t effect) const { return ended_.contains(effect); }
   /// The effects that have been admitted or started and not ended, for a report; empty: none.
-  std::string unended() const;
+  std::string active() const;
 
  private:
   std::set<std::uint32_t> open_;

@@ -55,46 +55,46 @@ std::string web_handshake(int port) {
 
 std::optional<Received> Unframer::next() {
   if (transport_ == Transport::kHttp) {
-    taken_ = bytes_.size();
+    consumed_ = bytes_.size();
     return std::nullopt;
   }
   if (transport_ == Transport::kWebSocket) {
-    if (status_ == 0 && !take_handshake()) return std::nullopt;
+    if (status_ == 0 && !read_handshake()) return std::nullopt;
     return next_frame();
   }
   return next_line();
 }
 
-bool Unframer::take_handshake() {
+bool Unframer::read_handshake() {
   const auto end = bytes_.find("\r\n\r\n");
   if (end == std::string::npos) return false;
   constexpr std::string_view kVersion = "HTTP/1.1 ";
   if (!bytes_.starts_with(kVersion)) throw Failure("no HTTP: " + bytes_.substr(0, 80));
   status_ = std::stoi(bytes_.substr(kVersion.size(), 3));
-  taken_ = end + 4;
+  consumed_ = end + 4;
   return true;
 }
 
 std::optional<Received> Unframer::next_line() {
-  const auto end = bytes_.find('\n', taken_);
+  const auto end = bytes_.find('\n', consumed_);
   if (end == std::string::npos) {
-    bytes_.erase(0, taken_);
-    taken_ = 0;
+    bytes_.erase(0, consumed_);
+    consumed_ = 0;
     return std::nullopt;
   }
-  Received line{kTextFrame, bytes_.substr(taken_, end - taken_)};
-  taken_ = end + 1;
+  Received line{kTextFrame, bytes_.substr(consumed_, end - consumed_)};
+  consumed_ = end + 1;
   return line;
 }
 
 std::optional<Received> Unframer::next_frame() {
-  const auto left = [&](std::size_t from) { return bytes_.size() - taken_ >= from; };
+  const auto left = [&](std::size_t from) { return bytes_.size() - consumed_ >= from; };
   const auto byte = [&](std::size_t i) {
-    return static_cast<std::size_t>(static_cast<unsigned char>(bytes_[taken_ + i]));
+    return static_cast<std::size_t>(static_cast<unsigned char>(bytes_[consumed_ + i]));
   };
   if (status_ != 101 || !left(2)) {
-    bytes_.erase(0, taken_);
-    taken_ = 0;
+    bytes_.erase(0, consumed_);
+    consumed_ = 0;
     return std::nullopt;
   }
   // The daemon sends large messages in parts.
@@ -116,15 +116,15 @@ std::optional<Received> Unframer::next_frame() {
     if (!left(at + size)) return std::nullopt;
     // A control frame between the parts of a message is delivered before the message.
     if (kind >= kCloseFrame && opcode != 0) {
-      Received control{kind, bytes_.substr(taken_ + at, size)};
-      bytes_.erase(taken_ + at - 2 - digits, 2 + digits + size);
+      Received control{kind, bytes_.substr(consumed_ + at, size)};
+      bytes_.erase(consumed_ + at - 2 - digits, 2 + digits + size);
       return control;
     }
     opcode = kind != 0 ? kind : opcode;
-    payload.append(bytes_, taken_ + at, size);
+    payload.append(bytes_, consumed_ + at, size);
     at += size;
   }
-  taken_ += at;
+  consumed_ += at;
   return Received{opcode, std::move(payload)};
 }
 

@@ -44,11 +44,11 @@ class Unframer {
  private:
   std::optional<Received> next_line();
   std::optional<Received> next_frame();
-  bool take_handshake();
+  bool read_handshake();
 
   Transport transport_;
   std::string bytes_;
-  std::size_t taken_ = 0;  // of bytes_
+  std::size_t consumed_ = 0;  // of bytes_
   int status_ = 0;
 };
 

@@ -88,7 +88,7 @@ void Peer::send(const std::string& message, int fragments) {
     out_ += message + "\n";
   } else if (!is_utf8(message)) {
     out_ += web_frame(kTextFrame, message);
-    provoke("text that is not UTF-8");
+    allow_close("text that is not UTF-8");
     return;
   } else {
     const std::size_t part = message.size() / static_cast<std::size_t>(fragments) + 1;
@@ -100,7 +100,7 @@ void Peer::send(const std::string& message, int fragments) {
     } while (at < message.size());
   }
   const protocol::Incoming incoming = protocol::decode_line(message);
-  answers_.expect(incoming);
+  responses_.expect(incoming);
   subscriptions_.sent(incoming);
 }
 
@@ -119,7 +119,7 @@ void Peer::complete_line() {
   rest_.clear();
   record(line);
   const protocol::Incoming incoming = protocol::decode_line(line);
-  answers_.expect(incoming);
+  responses_.expect(incoming);
   subscriptions_.sent(incoming);
 }
 
@@ -129,7 +129,7 @@ void Peer::send_too_long(std::size_t bytes) {
   const std::string message = "{" + std::string(bytes, 'x');
   record(message);
   out_ += transport_ == Transport::kWebSocket ? web_frame(kTextFrame, message) : message + "\n";
-  answers_.expect_parse_error();
+  responses_.expect_parse_error();
 }
 
 void Peer::send_bytes(std::string_view bytes) {
@@ -142,12 +142,12 @@ void Peer::half_close() {
   rest_.clear();
   record("(half close)");
   half_closed_ = true;
-  shut_when_sent();
+  shut_down_when_sent();
 }
 
-void Peer::shut_when_sent() {
-  if (half_closed_ && !shut_ && out_.empty() && is_open()) {
-    shut_ = true;
+void Peer::shut_down_when_sent() {
+  if (half_closed_ && !shut_down_ && out_.empty() && is_open()) {
+    shut_down_ = true;
     ::shutdown(fd_, SHUT_WR);
   }
 }
@@ -167,7 +167,7 @@ void Peer::reset() {
 
 void Peer::exchange(bool readable, bool writable, PeerObserver& observer) {
   if (writable) write_some();
-  shut_when_sent();
+  shut_down_when_sent();
   if (readable && is_open()) read_some(observer);
 }
 
@@ -202,7 +202,7 @@ void Peer::receive(const Received& message, PeerObserver& observer) {
   if (message.opcode == kCloseFrame) {
     send_bytes(web_frame(kCloseFrame, message.payload));
     half_closed_ = true;
-    provoke("a close frame");
+    allow_close("a close frame");
     return;
   }
   if (message.opcode != kTextFrame) return;
@@ -214,23 +214,23 @@ void Peer::receive(const Received& message, PeerObserver& observer) {
     return;
   }
   if (!received_ && message.payload.find("too many clients") != std::string::npos) {
-    provoke("too many clients");
+    allow_close("too many clients");
     return;
   }
   received_ = true;
-  answers_.receive(*json, [&](const AnsweredRequest& answered) {
-    subscriptions_.answered(answered);
-    if (answered.method && protocol::name(*answered.method) == "hello" && answered.result)
-      number_ = *answered.result->find("connection")->as<std::int64_t>();
-    observer.on_answer(*this, answered);
+  responses_.receive(*json, [&](const CompletedRequest& completed) {
+    subscriptions_.on_response(completed);
+    if (completed.method && protocol::name(*completed.method) == "hello" && completed.result)
+      number_ = *completed.result->find("connection")->as<std::int64_t>();
+    observer.on_response(*this, completed);
   });
 }
 
 std::string Peer::text() const {
   std::string text = "connection " + (number_ ? std::to_string(*number_) : "?") + " (" +
-                     std::string(name(transport_)) + "), pending: " + answers_.text() +
+                     std::string(name(transport_)) + "), pending: " + responses_.text() +
                      (reads_ ? "" : " it does not read,") +
-                     (provoked_.empty() ? "" : " provoked: ") + provoked_ + "\nsent last:";
+                     (close_reason_.empty() ? "" : " provoked: ") + close_reason_ + "\nsent last:";
   for (const std::string& line : transcript_) {
     std::string written;
     protocol::append_string(written, line);

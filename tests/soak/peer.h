@@ -11,7 +11,7 @@
 
 #include "protocol/wire/json.h"
 #include "tests/soak/framing.h"
-#include "tests/soak/pending_answers.h"
+#include "tests/soak/pending_responses.h"
 #include "tests/soak/subscriptions.h"
 
 namespace hedgehog::soak {
@@ -28,7 +28,7 @@ class Peer;
 class PeerObserver {
  public:
   virtual ~PeerObserver() = default;
-  virtual void on_answer(Peer& peer, const AnsweredRequest& answered) = 0;
+  virtual void on_response(Peer& peer, const CompletedRequest& completed) = 0;
   virtual void on_notification(Peer& peer, const protocol::Json& message) = 0;
 };
 
@@ -60,15 +60,15 @@ class Peer {
   void reset();
 
   /// From now on the daemon may close the connection, for the reason `why`.
-  void provoke(std::string why) { provoked_ = std::move(why); }
-  const std::string& provoked() const noexcept { return provoked_; }
+  void allow_close(std::string why) { close_reason_ = std::move(why); }
+  const std::string& close_reason() const noexcept { return close_reason_; }
 
   /// Reads and writes without blocking.
   void exchange(bool readable, bool writable, PeerObserver& observer);
-  bool wants_to_write() const noexcept {
+  bool can_write() const noexcept {
     return is_open() && !(is_upgrading() ? handshake_ : out_).empty();
   }
-  bool wants_to_read() const noexcept { return is_open() && reads_; }
+  bool can_read() const noexcept { return is_open() && reads_; }
   void read(bool on) noexcept { reads_ = on; }
   bool reads() const noexcept { return reads_; }
 
@@ -79,7 +79,7 @@ class Peer {
   bool is_half_closed() const noexcept { return half_closed_; }
   bool is_partial() const noexcept { return !rest_.empty(); }
   Transport transport() const noexcept { return transport_; }
-  std::size_t pending() const noexcept { return answers_.size(); }
+  std::size_t pending() const noexcept { return responses_.size(); }
   std::size_t unsent_bytes() const noexcept { return out_.size(); }
   bool has_received() const noexcept { return received_; }
   /// The daemon's number of this connection, once known.
@@ -99,7 +99,7 @@ class Peer {
   void receive(const Received& message, PeerObserver& observer);
   void read_some(PeerObserver& observer);
   void write_some();
-  void shut_when_sent();
+  void shut_down_when_sent();
 
   Transport transport_;
   int fd_ = -1;
@@ -109,15 +109,15 @@ class Peer {
   std::string out_;
   std::string rest_;  // of a partly sent line, without its LF
   std::string part_;  // the first part of the same line
-  PendingAnswers answers_;
+  PendingResponses responses_;
   Subscriptions subscriptions_;
   std::optional<std::int64_t> number_;
-  std::string provoked_;
+  std::string close_reason_;
   std::deque<std::string> transcript_;
   bool reads_ = true;
   bool received_ = false;
   bool half_closed_ = false;
-  bool shut_ = false;  // the socket has been shut down for sending
+  bool shut_down_ = false;  // the socket has been shut down for sending
   bool closed_by_daemon_ = false;
 };
 

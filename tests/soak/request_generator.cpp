@@ -39,12 +39,12 @@ RequestGenerator::RequestGenerator(Random& random)
     schemas_.push_back(protocol::schema_of_params(static_cast<protocol::Method>(i)));
 }
 
-void RequestGenerator::offer_effect(std::uint32_t effect) {
-  constexpr std::size_t kKept = 64;
-  if (effects_.size() < kKept)
+void RequestGenerator::add_effect(std::uint32_t effect) {
+  constexpr std::size_t kMaxEffects = 64;
+  if (effects_.size() < kMaxEffects)
     effects_.push_back(effect);
   else
-    effects_[effect % kKept] = effect;
+    effects_[effect % kMaxEffects] = effect;
 }
 
 protocol::Method RequestGenerator::method() {
@@ -76,7 +76,7 @@ std::string RequestGenerator::id() {
   }
 }
 
-std::string RequestGenerator::number(const protocol::Json& schema, bool whole) {
+std::string RequestGenerator::number(const protocol::Json& schema, bool is_integer) {
   const auto bound = [&](std::string_view name, double otherwise) {
     const protocol::Json* given = schema.find(name);
     if (given == nullptr) return otherwise;
@@ -88,7 +88,7 @@ std::string RequestGenerator::number(const protocol::Json& schema, bool whole) {
   const double at = random_.percent(5) ? 0.0 : random_.percent(5) ? 1.0 : random_.unit();
   const double made = low + at * (high - low);
   std::string text;
-  if (whole)
+  if (is_integer)
     text = std::to_string(static_cast<std::int64_t>(made));
   else
     protocol::append_number(text, made);
@@ -229,10 +229,10 @@ std::string RequestGenerator::valid() {
                                : request(protocol::name(called), given);
 }
 
-std::string RequestGenerator::odd_value() {
+std::string RequestGenerator::unusual_value() {
   if (random_.percent(5)) return nested(20 + random_.below(30));
   if (random_.percent(3)) return json_string(std::string(30'000, 'z'));
-  return random_.pick(odd_values());
+  return random_.pick(unusual_values());
 }
 
 std::string RequestGenerator::invalid() {
@@ -241,7 +241,7 @@ std::string RequestGenerator::invalid() {
   std::string name(protocol::name(called));
   switch (random_.below(8)) {
     case 0:
-      given.emplace_back("no_such", odd_value());
+      given.emplace_back("no_such", unusual_value());
       break;
     case 1:
       if (!given.empty()) given.push_back(given[random_.below(given.size())]);
@@ -254,22 +254,22 @@ std::string RequestGenerator::invalid() {
       name[random_.below(name.size())] = '_';
       break;
     case 4:
-      return request(name, odd_value());
+      return request(name, unusual_value());
     case 5:
       return random_.pick(no_requests());
     default:
       if (!given.empty())
-        given[random_.below(given.size())].second = odd_value();
+        given[random_.below(given.size())].second = unusual_value();
       else
-        given.emplace_back("x", odd_value());
+        given.emplace_back("x", unusual_value());
   }
   return request(name, joined(given));
 }
 
 std::string RequestGenerator::batch() {
-  constexpr std::size_t kMost = 64;
-  const std::size_t count = random_.percent(5)    ? kMost + random_.below(3)
-                            : random_.percent(10) ? kMost - random_.below(3)
+  constexpr std::size_t kMaxItems = 64;
+  const std::size_t count = random_.percent(5)    ? kMaxItems + random_.below(3)
+                            : random_.percent(10) ? kMaxItems - random_.below(3)
                                                   : 1 + random_.below(8);
   in_batch_ = true;
   std::string made;

@@ -30,7 +30,7 @@ class RequestGenerator {
   std::string notification(std::string_view method, std::string_view params = "{}");
 
   /// The number of an effect that later requests may refer to.
-  void offer_effect(std::uint32_t effect);
+  void add_effect(std::uint32_t effect);
 
  private:
   using Members = std::vector<std::pair<std::string, std::string>>;
@@ -43,7 +43,7 @@ class RequestGenerator {
   std::string object(const protocol::Json& schema);
   std::string list(std::string_view name, const protocol::Json& schema);
   std::string keyframes();
-  std::string odd_value();
+  std::string unusual_value();
   /// Unique: a number, a fraction or a string. In a batch also null: its responses are in order, so
   /// that each can be matched to one request.
   std::string id();

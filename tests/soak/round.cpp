@@ -58,7 +58,7 @@ void Round::run_start(int number) {
   const Configuration configuration = random_configuration(random_);
   const int plants = random_.percent(25) ? 1 + static_cast<int>(random_.below(3)) : 0;
   for (int i = 0; i < plants; ++i) {
-    ++summary_.odd_files;
+    ++summary_.unusual_files;
     if (folder_.plant(random_)) inherited_ = {};
     inherited_.incomplete.clear();
     inherited_.orderly = false;
@@ -159,7 +159,7 @@ void Round::end(Traffic& traffic, Actions& actions, End how) {
 void Round::stop_and_kill(Traffic& traffic, Actions& actions) {
   // From here on no request that was sent earlier can arm the ball.
   traffic.check();
-  actions.keep_latched();
+  actions.disable_arming();
   act(traffic, actions, size_.actions / 8);
   const e2e::Json stopped = traffic.call("device.emergency_stop");
   act(traffic, actions, static_cast<int>(random_.below(3)));

@@ -40,7 +40,7 @@ const std::vector<std::string>& sample_quaternions() {
   return all;
 }
 
-const std::vector<std::string>& odd_values() {
+const std::vector<std::string>& unusual_values() {
   static const std::vector<std::string> all{"null",
                                             "true",
                                             "-1",

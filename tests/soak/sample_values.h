@@ -13,7 +13,7 @@ const std::vector<std::string>& sample_texts(std::string_view name);
 /// Quaternions as JSON, one of them not of unit length.
 const std::vector<std::string>& sample_quaternions();
 /// JSON values that most parameters reject; some are invalid JSON, or too large for a double.
-const std::vector<std::string>& odd_values();
+const std::vector<std::string>& unusual_values();
 /// JSON values that are no requests.
 const std::vector<std::string>& no_requests();
 

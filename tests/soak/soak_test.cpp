@@ -21,7 +21,7 @@ std::uint64_t seed_of_the_day() {
 
 class Soak : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(Soak, WhateverClientsDoEachRequestIsAnsweredAndNothingIsLeft) {
+TEST_P(Soak, EveryRequestIsAnsweredAndNothingIsLeftUnderRandomClients) {
   Summary summary;
   std::cout << "seed " << GetParam()
             << (may_mount() ? "" : "; no full disks: this user may not mount one") << "\n";

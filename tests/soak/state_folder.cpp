@@ -39,7 +39,7 @@ bool has_own_mounts() {
          write_text("/proc/self/gid_map", group + " " + group + " 1");
 }
 
-bool mount_memory(const std::string& folder) {
+bool mount_tmpfs(const std::string& folder) {
   return ::mount("soak", folder.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, "size=512k,mode=0700") == 0;
 }
 
@@ -59,7 +59,7 @@ bool unshare_mounts() {
 bool child_may_mount() {
   const TemporaryFolder place;
   const pid_t child = ::fork();
-  if (child == 0) ::_exit(unshare_mounts() && mount_memory(place.path()) ? 0 : 1);
+  if (child == 0) ::_exit(unshare_mounts() && mount_tmpfs(place.path()) ? 0 : 1);
   int status = 1;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
@@ -76,7 +76,7 @@ StateFolder::StateFolder(const e2e::Home& home, bool on_small_disk)
     : folder_(fs::path(home.state_file()).parent_path().string()) {
   fs::create_directories(folder_);
   if (!on_small_disk) return;
-  if (!mount_memory(folder_)) throw Failure("no disk in memory at " + folder_);
+  if (!mount_tmpfs(folder_)) throw Failure("no disk in memory at " + folder_);
   mounted_ = true;
 }
 
@@ -108,7 +108,8 @@ bool StateFolder::plant(Random& random) {
   const std::string path = folder_ + "/" + name;
   const std::size_t kind = random.below(6);
   const std::string before = contents(path);
-  const std::string odd = kind == 4 ? damaged(random, before) : random.bytes(random.below(100'000));
+  const std::string content =
+      kind == 4 ? damaged(random, before) : random.bytes(random.below(100'000));
   std::error_code ec;
   fs::remove_all(path, ec);
   fs::create_directories(fs::path(path).parent_path());
@@ -126,7 +127,7 @@ bool StateFolder::plant(Random& random) {
       fs::create_directories(path + "/inside");
       break;
     default:
-      std::ofstream(path, std::ios::binary) << odd;
+      std::ofstream(path, std::ios::binary) << content;
   }
   planted_.push_back(path);
   return name == "state.json";

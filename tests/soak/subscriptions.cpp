@@ -26,33 +26,33 @@ void Subscriptions::sent(const protocol::Incoming& incoming) {
     if (!telemetry && !events) continue;
     Stream& stream = telemetry ? telemetry_ : events_;
     if (incoming.batch || !item.id || item.id->json == "null") {
-      stream.unclear = true;
-      ++stream.unclear_sent;
+      stream.uncertain = true;
+      ++stream.uncertain_sent;
       continue;
     }
-    Request request{telemetry, std::nullopt, stream.unclear_sent};
+    Request request{telemetry, std::nullopt, stream.uncertain_sent};
     if (const auto* wanted = std::get_if<protocol::EventsSubscribe>(&*item.request))
       request.names.emplace(wanted->types.begin(), wanted->types.end());
     requests_[item.id->json] = std::move(request);
   }
 }
 
-void Subscriptions::answered(const AnsweredRequest& answered) {
-  const auto found = requests_.find(answered.id);
+void Subscriptions::on_response(const CompletedRequest& completed) {
+  const auto found = requests_.find(completed.id);
   if (found == requests_.end()) return;
   Request request = std::move(found->second);
   requests_.erase(found);
-  if (answered.result == nullptr) return;
+  if (completed.result == nullptr) return;
   Stream& stream = request.telemetry ? telemetry_ : events_;
   if (request.telemetry) {
-    if (const protocol::Json* fields = answered.result->find("fields")) {
+    if (const protocol::Json* fields = completed.result->find("fields")) {
       request.names.emplace();
       for (const protocol::Json& field : *fields->as<protocol::Json::List>())
         request.names->insert(*field.as<std::string>());
     }
   }
   stream.names = std::move(request.names);
-  if (request.unclear_sent == stream.unclear_sent) stream.unclear = false;
+  if (request.uncertain_sent == stream.uncertain_sent) stream.uncertain = false;
 }
 
 void Subscriptions::notified(const protocol::Json& message) {
@@ -71,7 +71,7 @@ void Subscriptions::notified(const protocol::Json& message) {
     if (now == nullptr || *now < last_time_ns_) throw Failure("telemetry goes back in time");
     last_time_ns_ = *now;
   }
-  if (stream.unclear) return;
+  if (stream.uncertain) return;
   if (!stream.names) throw Failure("nothing subscribed to " + protocol::to_text(message));
   if (!telemetry) {
     if (!stream.names->empty() && !stream.names->contains(text_of(*params, "type")))

@@ -10,14 +10,14 @@
 
 #include "protocol/server_codec.h"
 #include "protocol/wire/json.h"
-#include "tests/soak/pending_answers.h"
+#include "tests/soak/pending_responses.h"
 
 namespace hedgehog::soak {
 
 class Subscriptions {
  public:
   void sent(const protocol::Incoming& incoming);
-  void answered(const AnsweredRequest& answered);
+  void on_response(const CompletedRequest& completed);
   /// Throws Failure when no subscription covers it.
   void notified(const protocol::Json& message);
 
@@ -27,13 +27,13 @@ class Subscriptions {
     /// nullopt: no subscription.
     std::optional<std::set<std::string>> names;
     /// A request without a response of its own may have changed it.
-    bool unclear = false;
-    int unclear_sent = 0;
+    bool uncertain = false;
+    int uncertain_sent = 0;
   };
   struct Request {
     bool telemetry = false;
     std::optional<std::set<std::string>> names;
-    int unclear_sent = 0;
+    int uncertain_sent = 0;
   };
 
   std::map<std::string, Request> requests_;  // by the id's JSON text

@@ -20,9 +20,9 @@ std::string Summary::text() const {
                      row("reloads", reloads) + row("connections", connections) +
                      row("notifications", notifications) + row("checks", checks) +
                      row("emergency stops that outlived a kill", latches) +
-                     row("full disks", full_disks) + row("odd files", odd_files);
+                     row("full disks", full_disks) + row("odd files", unusual_files);
   text += "  answers:\n";
-  for (const auto& [code, count] : answers)
+  for (const auto& [code, count] : responses)
     text +=
         "  " + row(code == 0 ? std::string("result")
                              : std::string(protocol::name(static_cast<protocol::ErrorCode>(code))),

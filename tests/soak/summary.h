@@ -20,8 +20,8 @@ struct Summary {
   std::uint64_t checks = 0;   // full checks with nothing pending
   std::uint64_t latches = 0;  // emergency stops that persisted over a kill
   std::uint64_t full_disks = 0;
-  std::uint64_t odd_files = 0;                  // planted in the state directory
-  std::map<int, std::uint64_t> answers;         // by error code; 0: results
+  std::uint64_t unusual_files = 0;              // planted in the state directory
+  std::map<int, std::uint64_t> responses;       // by error code; 0: results
   std::map<std::string, std::uint64_t> closed;  // by the daemon, by reason
 
   /// One line of progress.

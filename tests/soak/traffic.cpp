@@ -43,16 +43,16 @@ Peer& Traffic::connect(std::size_t place, Transport transport, int receive_buffe
   Peer& peer = *places_[place];
   ++summary_.connections;
   if (transport == Transport::kHttp)
-    peer.provoke("HTTP");
+    peer.allow_close("HTTP");
   else
     send(peer, generator_.request("hello", R"({"client":"soak","protocol":"1.0"})"));
   return peer;
 }
 
-void Traffic::connect_foreigner(std::size_t place, Transport transport, const std::string& bytes) {
+void Traffic::connect_foreign(std::size_t place, Transport transport, const std::string& bytes) {
   places_[place] = std::make_unique<Peer>(transport, endpoints_, 0);
   ++summary_.connections;
-  places_[place]->provoke("a first byte that begins no request");
+  places_[place]->allow_close("a first byte that begins no request");
   places_[place]->send_bytes(bytes);
 }
 
@@ -67,7 +67,7 @@ bool Traffic::pump(int timeout_ms) {
   std::vector<pollfd> waiting;
   std::vector<Peer*> peers;
   const auto add = [&](Peer& peer) {
-    const int events = (peer.wants_to_read() ? POLLIN : 0) | (peer.wants_to_write() ? POLLOUT : 0);
+    const int events = (peer.can_read() ? POLLIN : 0) | (peer.can_write() ? POLLOUT : 0);
     if (!peer.is_open() || events == 0) return;
     waiting.push_back({peer.fd(), static_cast<short>(events), 0});
     peers.push_back(&peer);
@@ -105,7 +105,7 @@ void Traffic::check_alive() {
 }
 
 std::string Traffic::reason_of_close(const Peer& peer) {
-  if (!peer.provoked().empty()) return peer.provoked();
+  if (!peer.close_reason().empty()) return peer.close_reason();
   if (ending_) return "the end of the daemon";
   if (peer.is_half_closed() && peer.pending() == 0) return "half close";
   const std::string is_cut = "does not read; disconnected";
@@ -119,26 +119,27 @@ std::string Traffic::reason_of_close(const Peer& peer) {
 
 void Traffic::on_close(Peer& peer) {
   const std::string report = peer.text();
-  std::string why = reason_of_close(peer);
+  std::string reason = reason_of_close(peer);
   // The log line is written at about the same time.
-  for (int pings = 0; why.empty() && pings < kMaxPings / 60; ++pings) {
+  for (int pings = 0; reason.empty() && pings < kMaxPings / 60; ++pings) {
     check_alive();
     control_.call("ping");
-    why = reason_of_close(peer);
+    reason = reason_of_close(peer);
   }
-  if (why.empty()) throw Failure("the daemon has closed a connection without a reason: " + report);
-  ++summary_.closed[why];
+  if (reason.empty())
+    throw Failure("the daemon has closed a connection without a reason: " + report);
+  ++summary_.closed[reason];
 }
 
-void Traffic::on_answer(Peer&, const AnsweredRequest& answered) {
-  ++summary_.answers[answered.error];
-  if (!answered.result || !answered.method) return;
-  const std::string_view method = protocol::name(*answered.method);
-  const protocol::Json* effect = answered.result->find("effect");
+void Traffic::on_response(Peer&, const CompletedRequest& completed) {
+  ++summary_.responses[completed.error];
+  if (!completed.result || !completed.method) return;
+  const std::string_view method = protocol::name(*completed.method);
+  const protocol::Json* effect = completed.result->find("effect");
   if (effect == nullptr || !method.starts_with("effect.")) return;
   const auto number = static_cast<std::uint32_t>(*effect->as<std::int64_t>());
   effects_.admitted(number);
-  generator_.offer_effect(number);
+  generator_.add_effect(number);
 }
 
 void Traffic::on_notification(Peer& peer, const protocol::Json& message) {
@@ -149,22 +150,22 @@ void Traffic::on_notification(Peer& peer, const protocol::Json& message) {
 e2e::Json Traffic::call(const std::string& method, const e2e::Json& params) {
   ++summary_.requests;
   const e2e::Json reply = control_.call(method, params);
-  ++summary_.answers[reply.contains("code") ? reply["code"].get<int>() : 0];
+  ++summary_.responses[reply.contains("code") ? reply["code"].get<int>() : 0];
   return reply;
 }
 
 void Traffic::reload(const std::string& configuration, bool is_good, double current_a) {
   const std::string report = is_good ? "configuration reloaded" : "the old one stays";
-  const std::string not_taken = "the new limits were not taken";
+  const std::string rejected = "the new limits were not taken";
   const std::size_t before = log_.count(report);
-  const std::size_t untaken = log_.count(not_taken);
+  const std::size_t rejections = log_.count(rejected);
   home_.configure(configuration);
   daemon_.signal(SIGHUP);
   ++summary_.reloads;
   pump_until([&] { return log_.count(report) > before; },
              [&] { return "\"" + report + "\" in the log for " + configuration; });
   // Wider limits take effect at the next start.
-  if (is_good && log_.count(not_taken) == untaken) current_a_ = std::min(current_a_, current_a);
+  if (is_good && log_.count(rejected) == rejections) current_a_ = std::min(current_a_, current_a);
 }
 
 std::string Traffic::text() const {

@@ -34,7 +34,7 @@ class Traffic : public PeerObserver {
   Peer& connect(std::size_t place, Transport transport, int receive_buffer);
 
   /// Connects a client there whose first bytes are no request.
-  void connect_foreigner(std::size_t place, Transport transport, const std::string& bytes);
+  void connect_foreign(std::size_t place, Transport transport, const std::string& bytes);
 
   /// Sends and counts.
   void send(Peer& peer, const std::string& message, int fragments = 1);
@@ -57,7 +57,7 @@ class Traffic : public PeerObserver {
   /// The daemon is about to end: it may close every connection.
   void expect_end() noexcept { ending_ = true; }
 
-  void on_answer(Peer& peer, const AnsweredRequest& answered) override;
+  void on_response(Peer& peer, const CompletedRequest& completed) override;
   void on_notification(Peer& peer, const protocol::Json& message) override;
 
   LogView& log() noexcept { return log_; }

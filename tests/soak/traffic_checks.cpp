@@ -13,7 +13,7 @@ namespace hedgehog::soak {
 bool Traffic::is_settled() const {
   bool settled = watcher_.pending() == 0;
   for_each_peer([&](const Peer& peer) {
-    if (peer.is_open() && peer.provoked().empty())
+    if (peer.is_open() && peer.close_reason().empty())
       settled =
           settled && peer.pending() == 0 && peer.unsent_bytes() == 0 && !peer.is_half_closed();
   });
@@ -25,7 +25,7 @@ void Traffic::check() {
     peer.read(true);
     peer.complete_line();
     // Peers that wait for a web page, or for a close that they provoked.
-    if (!peer.provoked().empty()) peer.close();
+    if (!peer.close_reason().empty()) peer.close();
   });
   pump_until([&] { return is_settled(); }, [&] { return text(); });
   check_connections();
@@ -78,13 +78,14 @@ void Traffic::check_limits() {
                 R"({"jsonrpc":"2.0","id":"s","method":"device.status"},)"
                 R"({"jsonrpc":"2.0","id":"d","method":"device.describe"}])"
                 "\n");
-  const e2e::Json answers = control_.answer();
-  const e2e::Json limits = answers[0]["result"]["limits"];
-  const double limit_a = answers[1]["result"]["limit_a"];
+  const e2e::Json responses = control_.response();
+  const e2e::Json limits = responses[0]["result"]["limits"];
+  const double limit_a = responses[1]["result"]["limit_a"];
   const double current_a = limits["current_a"];
   if (limit_a > current_a || limit_a < 0.0 || limits["continuous_a"] > current_a ||
-      limits["felt_a"] > current_a || answers[2]["result"]["limits"]["current_a"] != current_a)
-    throw Failure("limits that contradict each other: " + answers[0].dump() + answers[1].dump());
+      limits["felt_a"] > current_a || responses[2]["result"]["limits"]["current_a"] != current_a)
+    throw Failure("limits that contradict each other: " + responses[0].dump() +
+                  responses[1].dump());
   constexpr double kRounding = 1e-6;
   if (std::fabs(current_a - current_a_) > kRounding)
     throw Failure("limits.current_a is " + std::to_string(current_a) + ", configured is " +
@@ -113,9 +114,9 @@ void Traffic::check_slot() {
 void Traffic::end_effects() {
   call("effect.stop_all", {{"scope", "all"}});
   const auto is_over = [&] {
-    return effects_.unended().empty() && call("device.status")["effects"].empty();
+    return effects_.active().empty() && call("device.status")["effects"].empty();
   };
-  pump_until(is_over, [&] { return "the end of effects" + effects_.unended(); });
+  pump_until(is_over, [&] { return "the end of effects" + effects_.active(); });
 }
 
 }  // namespace hedgehog::soak

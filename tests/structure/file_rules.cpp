@@ -30,10 +30,10 @@ std::string file_name(const std::string& path) {
 bool has_licence(const SourceFile& file) {
   static constexpr std::string_view kLicence = "SPDX-License-Identifier: MIT";
   // The first line of a script is its interpreter.
-  const std::size_t looked_at =
+  const std::size_t head_lines =
       std::min<std::size_t>(file.lines.size(), is_script(file.path) ? 2 : 1);
   return std::any_of(
-      file.lines.begin(), file.lines.begin() + static_cast<std::ptrdiff_t>(looked_at),
+      file.lines.begin(), file.lines.begin() + static_cast<std::ptrdiff_t>(head_lines),
       [](const std::string& line) { return line.find(kLicence) != std::string::npos; });
 }
 
@@ -83,13 +83,13 @@ Violations check_machine_paths(const SourceFile& file) {
 }
 
 Violations check_using(const SourceFile& file) {
-  static const std::regex kBrings(R"(^\s*(?:using [\w:]*::(\w+);|namespace (\w+) = [\w:]+;).*)");
+  static const std::regex kUsing(R"(^\s*(?:using [\w:]*::(\w+);|namespace (\w+) = [\w:]+;).*)");
   Violations violations;
   if (!file.path.ends_with(".cpp")) return violations;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
-    std::smatch brings;
-    if (!std::regex_match(file.lines[i], brings, kBrings)) continue;
-    const std::string name = brings[1].matched ? brings[1] : brings[2];
+    std::smatch using_name;
+    if (!std::regex_match(file.lines[i], using_name, kUsing)) continue;
+    const std::string name = using_name[1].matched ? using_name[1] : using_name[2];
     const std::regex word("(^|[^\\w])" + name + "([^\\w]|$)");
     const bool used =
         std::any_of(file.lines.begin(), file.lines.end(), [&](const std::string& line) {

@@ -54,13 +54,13 @@ int guards_in_place(const SourceTree& tree, const std::string& path) {
   return guards;
 }
 
-TEST(Guards, StandWhereTheListSays) {
+TEST(Guards, AreWhereTheListPlacesThem) {
   const SourceTree tree = read_tree(source_folder());
   EXPECT_GE(guards_in_place(tree, "tests/guards/guards.txt"), 49);
   EXPECT_GE(guards_in_place(tree, "tests/firmware/emulated/guards.txt"), 23);
 }
 
-TEST(Guards, NameTestProgramsThatThereAre) {
+TEST(Guards, NameExistingTestPrograms) {
   const SourceTree tree = read_tree(source_folder());
   for (const std::string& line : find(tree, "tests/guards/guards.txt")->lines) {
     if (!line.starts_with("red ")) continue;

@@ -11,8 +11,8 @@ namespace {
 
 struct Layer {
   std::string_view folder;
-  std::vector<std::string_view> may_include;   // besides itself
-  std::vector<std::string_view> may_not_know;  // prefixes of library headers
+  std::vector<std::string_view> may_include;        // besides itself
+  std::vector<std::string_view> forbidden_headers;  // prefixes of library headers
 };
 
 constexpr std::string_view kAsio = "boost/asio";
@@ -112,7 +112,7 @@ const Layer* layer_of(std::string_view path) {
 bool is_cpp(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
 // Compiled by Unreal in a game's source tree, with the module's include folders.
-bool is_built_elsewhere(std::string_view path) {
+bool is_foreign_build(std::string_view path) {
   return is_inside(path, "clients/unreal") || is_inside(path, "tests/sdk/unreal/game");
 }
 
@@ -165,9 +165,9 @@ std::string library_reason(const SourceFile& file, const Layer& layer, const std
   }
   if (file.path.ends_with(".h") && header.starts_with(kJson) && !is_inside(file.path, "tests"))
     return "nlohmann/json belongs into .cpp files";
-  for (std::string_view prefix : layer.may_not_know) {
-    const bool whole_name = !prefix.ends_with('/') && prefix.find('/') == std::string_view::npos;
-    if (whole_name ? header == prefix : header.starts_with(prefix))
+  for (std::string_view prefix : layer.forbidden_headers) {
+    const bool exact = !prefix.ends_with('/') && prefix.find('/') == std::string_view::npos;
+    if (exact ? header == prefix : header.starts_with(prefix))
       return "<" + header + "> has no business in " + std::string(layer.folder);
   }
   return "";
@@ -178,7 +178,7 @@ std::string library_reason(const SourceFile& file, const Layer& layer, const std
 Violations check_layer_includes(const SourceFile& file) {
   Violations violations;
   const Layer* layer = layer_of(file.path);
-  if (!is_cpp(file.path) || layer == nullptr || is_built_elsewhere(file.path)) return violations;
+  if (!is_cpp(file.path) || layer == nullptr || is_foreign_build(file.path)) return violations;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     const std::optional<Include> include = parse_include(file.lines[i]);
     if (!include) continue;

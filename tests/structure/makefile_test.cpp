@@ -32,7 +32,7 @@ std::string commands_of(const std::string& target) {
   return out;
 }
 
-TEST(FirstRun, BuildsOnlyWhatItStarts) {
+TEST(FirstRun, BuildsOnlyThePrograms) {
   const std::string build = "cmake --build --preset run";
   const auto expect_only = [&](const std::string& target, const std::string& programs) {
     const std::string commands = commands_of(target);
@@ -56,7 +56,7 @@ std::string prerequisites_of(const std::string& file) {
   return rules.substr(at + begin.size(), rules.find('\n', at + 1) - at - begin.size());
 }
 
-TEST(Pages, AreMadeAgainWhenWhatMakesThemChanges) {
+TEST(Pages, AreRebuiltWhenTheirSourcesChange) {
   for (const std::string page : {"www", "racer"}) {
     const std::string prerequisites =
         prerequisites_of("build/run/share/hedgehog/" + page + "/index.html");
@@ -82,7 +82,7 @@ TargetsMade make_each(const std::string& targets, const std::string& deadline) {
   return {code, folder.read("stages.tsv")};
 }
 
-TEST(Stages, BeginUntilTheDeadlineAndNotAfterIt) {
+TEST(Stages, BeginOnlyBeforeTheDeadline) {
   constexpr const char* kLongAgo = "1";
   constexpr const char* kFarAway = "99999999999";
   for (const std::string deadline : {"", kFarAway}) {

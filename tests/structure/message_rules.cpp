@@ -47,10 +47,10 @@ Violations check_quoted_messages(const SourceFile& page, const SourceTree& tree)
   Violations violations;
   for (const Message& quote : quoted_messages(page)) {
     for (const std::string& piece : pieces_of(quote.text)) {
-      const bool said = std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+      const bool printed = std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
         return text.find(piece) != std::string::npos;
       });
-      if (!said) {
+      if (!printed) {
         violations.push_back(quote.path + ":" + std::to_string(quote.line) + ": no source says \"" +
                              piece + "\"");
       }

@@ -31,7 +31,7 @@ std::set<std::string> listed(const SourceFile& list, const std::set<std::string>
   return found;
 }
 
-TEST(Mutations, ReachTheWholeSafetyCode) {
+TEST(Mutations, CoverTheWholeSafetyCode) {
   const SourceTree tree = read_tree(source_folder());
   const SourceFile* scope = file_named(tree, "tests/mutations/scope.txt");
   ASSERT_NE(scope, nullptr);
@@ -64,7 +64,7 @@ TEST(Mutations, OfBoardCoreLimiterAndWatchdogEveryLineIsExecuted) {
   }
 }
 
-TEST(Mutations, ExplainedLinesStand) {
+TEST(Mutations, ExplainedLinesExist) {
   const SourceTree tree = read_tree(source_folder());
   const SourceFile* list = file_named(tree, "tests/mutations/explained.txt");
   ASSERT_NE(list, nullptr);
@@ -75,12 +75,12 @@ TEST(Mutations, ExplainedLinesStand) {
       ASSERT_NE(file, nullptr) << line;
     } else if (line.starts_with("line ")) {
       ASSERT_NE(file, nullptr) << line;
-      const bool stands =
+      const bool exists =
           std::any_of(file->lines.begin(), file->lines.end(), [&](const std::string& text) {
             const std::size_t first = text.find_first_not_of(' ');
             return first != std::string::npos && text.substr(first) == line.substr(5);
           });
-      EXPECT_TRUE(stands) << line;
+      EXPECT_TRUE(exists) << line;
     }
   }
 }

@@ -28,7 +28,7 @@ class Tree : public testing::Test {
   }
 
   template <typename Rule>
-  static Violations everywhere(Rule rule) {
+  static Violations check_all(Rule rule) {
     Violations all;
     for (const SourceFile& file : tree().files) {
       const Violations found = rule(file);
@@ -44,24 +44,24 @@ TEST_F(Tree, IsRead) {
   EXPECT_THAT(tree().names, testing::Not(testing::Contains(testing::StartsWith("build/"))));
 }
 
-TEST_F(Tree, IncludesFollowTheLayers) { EXPECT_THAT(everywhere(check_layer_includes), IsEmpty()); }
+TEST_F(Tree, IncludesFollowTheLayers) { EXPECT_THAT(check_all(check_layer_includes), IsEmpty()); }
 
 TEST_F(Tree, LibrariesStayInTheirLayers) {
-  EXPECT_THAT(everywhere(check_library_includes), IsEmpty());
+  EXPECT_THAT(check_all(check_library_includes), IsEmpty());
 }
 
-TEST_F(Tree, FilesAreShortAndLicensed) { EXPECT_THAT(everywhere(check_file_shape), IsEmpty()); }
+TEST_F(Tree, FilesAreShortAndLicensed) { EXPECT_THAT(check_all(check_file_shape), IsEmpty()); }
 
-TEST_F(Tree, NamesNoMachine) { EXPECT_THAT(everywhere(check_machine_paths), IsEmpty()); }
+TEST_F(Tree, NamesNoPathOfThisMachine) { EXPECT_THAT(check_all(check_machine_paths), IsEmpty()); }
 
-TEST_F(Tree, UsesWhatItBringsIn) { EXPECT_THAT(everywhere(check_using), IsEmpty()); }
+TEST_F(Tree, UsesItsUsingDeclarations) { EXPECT_THAT(check_all(check_using), IsEmpty()); }
 
-TEST_F(Tree, IncludesNoSources) { EXPECT_THAT(everywhere(check_included_sources), IsEmpty()); }
+TEST_F(Tree, IncludesNoSources) { EXPECT_THAT(check_all(check_included_sources), IsEmpty()); }
 
-TEST_F(Tree, NamesAreTerms) { EXPECT_THAT(everywhere(check_terms), IsEmpty()); }
+TEST_F(Tree, NamesAreTerms) { EXPECT_THAT(check_all(check_terms), IsEmpty()); }
 
-TEST_F(Tree, LinksLeadSomewhere) {
-  EXPECT_THAT(everywhere([](const SourceFile& file) { return check_links(file, tree()); }),
+TEST_F(Tree, LinksResolve) {
+  EXPECT_THAT(check_all([](const SourceFile& file) { return check_links(file, tree()); }),
               IsEmpty());
 }
 

@@ -30,7 +30,7 @@ std::vector<ProgramMessages> programs() {
          "the configuration is refused before"},
         {"refused: there is no certificate", "the configuration is refused before"}}},
       {"clients/lib/",
-       {"ClientError(", "return {Failure::", "stay_away(", "not_found("},
+       {"ClientError(", "return {Failure::", "fail_attempt(", "not_found("},
        kOfClients,
        {}},
       {"clients/mqtt/",
@@ -64,7 +64,7 @@ class Troubleshooting : public testing::Test {
   }
 };
 
-TEST_F(Troubleshooting, QuotesWhatIsSaid) {
+TEST_F(Troubleshooting, QuotesPrintedMessages) {
   for (const char* page : {kOfDaemon, kOfClients, kOfStudy})
     EXPECT_THAT(check_quoted_messages(file_at(page), tree()), IsEmpty());
 }

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Gives the answers one after the other, and records the questions.
-struct Answering {
+struct ScriptedPrompt {
   std::vector<std::string> answers;
   std::vector<std::string> questions{};
   Prompt ask() {
@@ -59,9 +59,9 @@ TEST(AgeBand, IsTwoAgesOrOneAndAbove) {
     EXPECT_FALSE(parse_age_band(wrong)) << wrong;
 }
 
-TEST(Checklist, AsksAgainWhatCannotBeAndKeepsTheRest) {
-  Answering desk{{"E1", "014", "young", "22-29", "both", "left", "18,3", "18.3 foo", "18.3", "u",
-                  "", "y", "n", "YES"}};
+TEST(Checklist, RepeatsInvalidItemsAndKeepsTheRest) {
+  ScriptedPrompt desk{{"E1", "014", "young", "22-29", "both", "left", "18,3", "18.3 foo", "18.3",
+                       "u", "", "y", "n", "YES"}};
   const auto list = complete({}, desk.ask());
   ASSERT_TRUE(list);
   EXPECT_EQ(list->experimenter, "E1");
@@ -77,19 +77,19 @@ TEST(Checklist, AsksAgainWhatCannotBeAndKeepsTheRest) {
   EXPECT_THAT(desk.questions[13], HasSubstr("q gives up: dominant hand on top"));
 }
 
-TEST(Checklist, EndsWhereTheExperimenterGivesUpOrTheInputEnds) {
-  Answering gives_up{{"n", "q"}};
-  EXPECT_FALSE(complete(all_but_ready(), gives_up.ask()));
-  Answering ends{{"y"}};
+TEST(Checklist, EndsWhenTheExperimenterQuitsOrTheInputEnds) {
+  ScriptedPrompt quits{{"n", "q"}};
+  EXPECT_FALSE(complete(all_but_ready(), quits.ask()));
+  ScriptedPrompt ends{{"y"}};
   EXPECT_FALSE(complete(all_but_ready(), ends.ask()));
-  Answering none{{}};
+  ScriptedPrompt none{{}};
   EXPECT_FALSE(complete({}, none.ask()));
 }
 
-TEST(Checklist, IsTickedAgainWithoutTheRest) {
-  Answering desk{{"y", "maybe", "y"}};
+TEST(Checklist, IsConfirmedAgainWithoutTheOtherItems) {
+  ScriptedPrompt desk{{"y", "maybe", "y"}};
   EXPECT_EQ(ticked_again(all_but_ready(), desk.ask())->consent, "014");
-  Answering sure{{"what", "n"}};
+  ScriptedPrompt sure{{"what", "n"}};
   EXPECT_EQ(confirm("the same ball?", sure.ask()), false);
   EXPECT_THAT(sure.questions[1], HasSubstr("the same ball?"));
 }

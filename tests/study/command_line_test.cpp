@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Exit code of the program in an empty folder, which must still be empty afterwards.
-int asked(std::vector<const char*> words) {
+int exit_code_of(std::vector<const char*> words) {
   const TemporaryFolder empty;
   const fs::path before = fs::current_path();
   words.insert(words.begin(), {"hedgehog-study", "-C", empty.path().c_str()});
@@ -25,29 +25,35 @@ int asked(std::vector<const char*> words) {
   return code;
 }
 
-TEST(CommandLine, TakesFiniteNumbersWithinTheirRange) {
+TEST(CommandLine, AcceptsFiniteNumbersWithinTheirRange) {
   for (const char* wrong : {"nan", "-nan", "inf", "0", "16", "1e400"})
-    EXPECT_EQ(asked({"levels", "--threshold-a", wrong}), EX_USAGE) << wrong;
+    EXPECT_EQ(exit_code_of({"levels", "--threshold-a", wrong}), EX_USAGE) << wrong;
   for (const char* option : {"--force-percent", "--speed-percent"})
-    EXPECT_EQ(asked({"levels", option, "nan"}), EX_USAGE) << option;
-  EXPECT_EQ(asked({"levels", "--threshold-a", "2.1"}), 0);
+    EXPECT_EQ(exit_code_of({"levels", option, "nan"}), EX_USAGE) << option;
+  EXPECT_EQ(exit_code_of({"levels", "--threshold-a", "2.1"}), 0);
   // Rejected before the search for a study, which would find none (EX_NOINPUT).
   for (const char* wrong : {"nan", "9", "31"}) {
-    EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}), EX_USAGE)
+    EXPECT_EQ(exit_code_of({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}),
+              EX_USAGE)
         << wrong;
   }
-  EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", "18.4"}), EX_NOINPUT);
+  EXPECT_EQ(exit_code_of({"run", "force-jnd", "--participant", "P01", "--hand-size", "18.4"}),
+            EX_NOINPUT);
   for (const char* wrong : {"old", "24", "29-22"}) {
-    EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--age-band", wrong}), EX_USAGE)
+    EXPECT_EQ(exit_code_of({"run", "force-jnd", "--participant", "P01", "--age-band", wrong}),
+              EX_USAGE)
         << wrong;
   }
   for (const char* wrong : {"18,3", "18.3 foo"}) {
-    EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}), EX_USAGE)
+    EXPECT_EQ(exit_code_of({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}),
+              EX_USAGE)
         << wrong;
   }
 }
 
-TEST(CommandLine, MakesNoStudyInAFolderWithoutAName) { EXPECT_EQ(asked({"plan", ""}), EX_USAGE); }
+TEST(CommandLine, CreatesNoStudyInAFolderWithoutAName) {
+  EXPECT_EQ(exit_code_of({"plan", ""}), EX_USAGE);
+}
 
 }  // namespace
 }  // namespace hedgehog::study

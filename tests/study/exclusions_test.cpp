@@ -74,7 +74,7 @@ class ExcludedRuns : public testing::Test {
       StudyFolder::create(folder_.path("th"), make_plan(2, {"force-jnd"}, 1)).value();
 };
 
-TEST_F(ExcludedRuns, AreInNoMeanAndLeaveTheirPlaceToTheRunBefore) {
+TEST_F(ExcludedRuns, AreInNoMeanAndReplacedByTheRunBefore) {
   auto all = runs();
   EXPECT_FALSE(all[0].in_group);
   EXPECT_TRUE(all[1].in_group && all[2].in_group);
@@ -88,7 +88,7 @@ TEST_F(ExcludedRuns, AreInNoMeanAndLeaveTheirPlaceToTheRunBefore) {
   EXPECT_EQ(groups_of(study_, runs())[0].result.count, 1);
 }
 
-TEST_F(ExcludedRuns, StandInReportAndExportWithTheReason) {
+TEST_F(ExcludedRuns, AreInReportAndExportWithTheReason) {
   const std::string journal = content_of(study_.journal_path("P01", "force-jnd", 2));
   exclude("P01", 2, "fell <asleep>, twice");
   const auto all = runs();
@@ -113,7 +113,7 @@ TEST_F(ExcludedRuns, StandInReportAndExportWithTheReason) {
   EXPECT_EQ(content_of(study_.journal_path("P01", "force-jnd", 2)), journal);
 }
 
-TEST_F(ExcludedRuns, ComeBack) {
+TEST_F(ExcludedRuns, CanBeIncludedAgain) {
   exclude("P01", 2, "fell asleep");
   exclude("P01", 2, "was woken");
   Exclusions all = exclusions();
@@ -127,7 +127,7 @@ TEST_F(ExcludedRuns, ComeBack) {
   EXPECT_FALSE(runs()[1].excluded);
 }
 
-TEST_F(ExcludedRuns, AreRefusedWhereTheFileIsNoneThatCanBeRead) {
+TEST_F(ExcludedRuns, AreRefusedIfTheFileCannotBeRead) {
   for (const char* damaged :
        {"{", "{}", R"({"excluded": [{"participant": "P01"}]})", R"({"excluded": 3, "more": [)"}) {
     std::ofstream(file()) << damaged;

@@ -38,7 +38,7 @@ TEST(Presets, HaveTheThesisParameters) {
   EXPECT_EQ(find_experiment("force-threshold-thesis").value().catch_one_in, 0);
 }
 
-TEST(Presets, PlayWhatTheThesisPlayed) {
+TEST(Presets, HaveTheStimuliOfTheThesis) {
   const Experiment two = find_experiment("force-jnd").value();
   EXPECT_EQ(reference_stimulus(two), (Stimulus{5, 10}));
   EXPECT_EQ(test_stimulus(two, two.rule.start), (Stimulus{10, 10}));
@@ -80,7 +80,7 @@ std::string error_message(const std::string& text) {
   return read ? "" : read.error().message;
 }
 
-TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
+TEST(ExperimentFile, NamesEachErrorByLineAndKey) {
   ASSERT_EQ(presets().front().name, "force-jnd");
   EXPECT_THAT(error_message(changed("\"discard\"", "\"dicard\"")),
               testing::MatchesRegex("mine.json:[0-9]+: dicard: unknown key"));

@@ -31,7 +31,7 @@ TEST(Identity, IsTheStartOfTheDaemon) {
   EXPECT_EQ(compare(kReal, recalibrated), Identity::kSame);
 }
 
-TEST(Identity, IsAnotherWhereTheBallIs) {
+TEST(Identity, IsAnotherForAnotherBall) {
   Pin other = kReal;
   other.ball.serial = "A2";
   EXPECT_EQ(compare(kReal, other), Identity::kOther);
@@ -40,7 +40,7 @@ TEST(Identity, IsAnotherWhereTheBallIs) {
   EXPECT_EQ(compare(kReal, kSimulated), Identity::kOther);
 }
 
-TEST(Identity, IsTheSerialNumberWhereADaemonTellsNoStart) {
+TEST(Identity, IsTheSerialNumberIfADaemonReportsNoStart) {
   const DaemonFacts old{"/run/hedgehogd.sock", ""};
   EXPECT_EQ(compare(with(kReal, old), with(kReal, old)), Identity::kSame);
   EXPECT_EQ(compare(kReal, with(kReal, old)), Identity::kSame);
@@ -53,7 +53,7 @@ TEST(Identity, IsTheSerialNumberWhereADaemonTellsNoStart) {
   EXPECT_FALSE(same_serial(kSimulated.ball, kSimulated.ball));
 }
 
-RecordedRun run_on(const Pin& pin, bool simulated_person) {
+RecordedRun run_with(const Pin& pin, bool simulated_person) {
   RunStarted header = recorded().header();
   header.ball = pin.ball;
   header.daemon = pin.daemon;
@@ -61,32 +61,32 @@ RecordedRun run_on(const Pin& pin, bool simulated_person) {
   return RecordedRun::replay({decode(encode({1, "t", header})).value()}).value();
 }
 
-TEST(Resume, AsksAboutWhatNothingShows) {
-  int asked = 0;
+TEST(Resume, PromptsForWhatCannotBeVerified) {
+  int prompts = 0;
   std::string answer = "y";
-  const Prompt ask = [&](const std::string&) {
-    ++asked;
+  const Prompt prompt = [&](const std::string&) {
+    ++prompts;
     return std::optional(answer);
   };
   const Pin restarted = with(kSimulated, {"/run/hedgehogd.sock", "02"});
-  EXPECT_TRUE(confirm_daemon(run_on(kSimulated, false), kSimulated, false, ask));
-  EXPECT_TRUE(confirm_daemon(run_on(kReal, false), with(kReal, {"x", "02"}), false, ask));
-  EXPECT_EQ(asked, 0);
-  EXPECT_TRUE(confirm_daemon(run_on(kSimulated, false), restarted, false, ask));
-  EXPECT_EQ(asked, 1);
+  EXPECT_TRUE(confirm_daemon(run_with(kSimulated, false), kSimulated, false, prompt));
+  EXPECT_TRUE(confirm_daemon(run_with(kReal, false), with(kReal, {"x", "02"}), false, prompt));
+  EXPECT_EQ(prompts, 0);
+  EXPECT_TRUE(confirm_daemon(run_with(kSimulated, false), restarted, false, prompt));
+  EXPECT_EQ(prompts, 1);
   answer = "n";
-  EXPECT_EQ(confirm_daemon(run_on(kSimulated, false), restarted, false, ask).error().exit_code,
+  EXPECT_EQ(confirm_daemon(run_with(kSimulated, false), restarted, false, prompt).error().exit_code,
             EX_CONFIG);
   // A rehearsal continues after a restart, at another address only if that is given.
   const Pin elsewhere = with(kSimulated, {"127.0.0.1:7586", "02"});
-  EXPECT_TRUE(confirm_daemon(run_on(kSimulated, true), restarted, false, ask));
-  EXPECT_FALSE(confirm_daemon(run_on(kSimulated, true), elsewhere, false, ask));
-  EXPECT_TRUE(confirm_daemon(run_on(kSimulated, true), elsewhere, true, ask));
-  EXPECT_EQ(asked, 2);
+  EXPECT_TRUE(confirm_daemon(run_with(kSimulated, true), restarted, false, prompt));
+  EXPECT_FALSE(confirm_daemon(run_with(kSimulated, true), elsewhere, false, prompt));
+  EXPECT_TRUE(confirm_daemon(run_with(kSimulated, true), elsewhere, true, prompt));
+  EXPECT_EQ(prompts, 2);
 }
 
-TEST(DaemonChanged, IsWhatTheRunIsOnFromThenOn) {
-  RecordedRun run = run_on(kSimulated, false);
+TEST(DaemonChanged, ReplacesTheDaemonOfTheRun) {
+  RecordedRun run = run_with(kSimulated, false);
   EXPECT_EQ(run.pin().daemon.start_id, "01");
   const DaemonChanged changed{{"127.0.0.1:7586", "02"}};
   const Line line = decode(encode({2, "t", changed})).value();
@@ -96,7 +96,7 @@ TEST(DaemonChanged, IsWhatTheRunIsOnFromThenOn) {
   EXPECT_EQ(run.header().daemon.start_id, "01");
 }
 
-TEST(DaemonChanged, IsNothingThatJournalsOfBeforeHave) {
+TEST(DaemonChanged, IsAbsentFromOlderJournals) {
   const Line line = decode(encode({1, "t", recorded().header()})).value();
   EXPECT_EQ(std::get<RunStarted>(line.event).daemon, DaemonFacts{});
   std::string text = encode({1, "t", recorded().header()});
@@ -106,7 +106,7 @@ TEST(DaemonChanged, IsNothingThatJournalsOfBeforeHave) {
   EXPECT_EQ(std::get<RunStarted>(decode(text).value().event).daemon, DaemonFacts{});
 }
 
-TEST(Journals, OfBeforeHaveNoOrientationsAndReadAsTheyDid) {
+TEST(Journals, OfOlderVersionsHaveNoOrientationsAndAreReadUnchanged) {
   const Line line =
       decode(R"({"n":7,"time":"t","event":"interval","interval":2,"current_a":5,"speed_pins_s":10,)"
              R"("command_ns":100,"ack_ns":200,"onset_ns":300,"offset_ns":5000000300,)"

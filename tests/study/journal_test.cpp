@@ -62,7 +62,7 @@ using Put = std::function<bool(const Event&)>;
 
 /// Continues the run to its end or until `put` returns false. An open trial becomes void, as in the
 /// program.
-void go_on(const RecordedRun& run, const Put& put) {
+void continue_run(const RecordedRun& run, const Put& put) {
   if (run.open() && !put(Voided{"interrupted"})) return;
   while (!run.over()) {
     const Trial trial = *run.state().next();
@@ -73,8 +73,8 @@ void go_on(const RecordedRun& run, const Put& put) {
 }
 
 /// To the end, or for at most `events` events.
-void go_on(Journal& journal, int events = 1'000'000) {
-  go_on(
+void continue_run(Journal& journal, int events = 1'000'000) {
+  continue_run(
       journal.run(),
       [&](const Event& event) {
         if (events-- <= 0) return false;
@@ -120,12 +120,12 @@ TEST_F(Files, AJournalReadsBackEveryEvent) {
   EXPECT_FALSE(decode("{\"n\":1}").has_value());
 }
 
-TEST_F(Files, ARunCutAfterAnyEventGoesOnToTheSameLevels) {
+TEST_F(Files, ARunCutAfterAnyEventContinuesToTheSameLevels) {
   for (const char* experiment : {"force-threshold", "force-jnd", "speed-jnd"}) {
     const fs::path path = folder_ / experiment;
     {
       auto journal = Journal::create(path, header(experiment)).value();
-      go_on(journal);
+      continue_run(journal);
       ASSERT_TRUE(journal.run().over());
     }
     const std::vector<Line> lines = read_journal(path).value();
@@ -135,7 +135,7 @@ TEST_F(Files, ARunCutAfterAnyEventGoesOnToTheSameLevels) {
       auto run =
           RecordedRun::replay({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(cut)})
               .value();
-      go_on(run, [&](const Event& event) {
+      continue_run(run, [&](const Event& event) {
         return run.take({run.lines() + 1, "", event}).has_value();
       });
       ASSERT_EQ(run.state().staircase().state(), expected) << experiment << " " << cut;
@@ -143,14 +143,14 @@ TEST_F(Files, ARunCutAfterAnyEventGoesOnToTheSameLevels) {
   }
 }
 
-TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByte) {
-  const fs::path whole = folder_ / "whole";
+TEST_F(Files, AJournalTruncatedAtAnyByteOfATrialContinuesToTheSameLevelsAndKeepsEveryByte) {
+  const fs::path complete = folder_ / "whole";
   {
-    auto journal = Journal::create(whole, header("speed-jnd")).value();
-    go_on(journal);
+    auto journal = Journal::create(complete, header("speed-jnd")).value();
+    continue_run(journal);
   }
-  const std::string text = text_of(whole);
-  const auto expected = read_run(whole).value().state().staircase().state();
+  const std::string text = text_of(complete);
+  const auto expected = read_run(complete).value().state().staircase().state();
   const std::size_t first = text.find('\n') + 1;
   const std::size_t last_trial = text.rfind('\n', text.rfind("\"trial_started\"")) + 1;
   ASSERT_GT(last_trial, first);
@@ -165,7 +165,7 @@ TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByt
     std::ofstream(path, std::ios::binary) << text.substr(0, cut);
     {
       auto journal = Journal::open(path).value();
-      go_on(journal);
+      continue_run(journal);
       ASSERT_EQ(journal.run().state().staircase().state(), expected) << cut;
     }
     EXPECT_EQ(read_run(path).value().state().staircase().state(), expected) << cut;
@@ -173,26 +173,26 @@ TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByt
   }
 }
 
-TEST_F(Files, ALineThatOnlyLostItsEndIsNotFollowedAndNeverComesBack) {
+TEST_F(Files, ALineWithoutItsEndIsDiscardedForGood) {
   const fs::path path = folder_ / "j";
   {
     auto journal = Journal::create(path, header("force-jnd")).value();
-    go_on(journal, 3);
+    continue_run(journal, 3);
   }
   fs::resize_file(path, fs::file_size(path) - 1);
   {
     auto journal = Journal::open(path).value();
     EXPECT_TRUE(journal.run().open());
-    go_on(journal, 4);
+    continue_run(journal, 4);
   }
   EXPECT_EQ(read_run(path).value().trials().front().void_reason, "interrupted");
 }
 
-TEST_F(Files, AMissingLineIsNoticed) {
+TEST_F(Files, AMissingLineIsDetected) {
   const fs::path path = folder_ / "j";
   {
     auto journal = Journal::create(path, header("force-jnd")).value();
-    go_on(journal, 9);
+    continue_run(journal, 9);
   }
   std::string text = text_of(path);
   const auto second = text.find('\n') + 1;
@@ -204,26 +204,26 @@ TEST_F(Files, AMissingLineIsNoticed) {
   EXPECT_THAT(read.error().message, HasSubstr("lines are missing"));
 }
 
-TEST_F(Files, NoBeginningOfALineIsTakenForTheWhole) {
+TEST_F(Files, NoPrefixOfALineIsReadAsTheLine) {
   const fs::path path = folder_ / "j";
   {
     auto journal = Journal::create(path, header("force-threshold")).value();
-    go_on(journal, 9);
+    continue_run(journal, 9);
   }
   const std::string text = text_of(path);
   for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
-    const std::size_t whole = text.find('\n', begin) - begin;
-    EXPECT_TRUE(decode(text.substr(begin, whole)).has_value());
-    for (std::size_t length = 0; length < whole; ++length)
+    const std::size_t complete = text.find('\n', begin) - begin;
+    EXPECT_TRUE(decode(text.substr(begin, complete)).has_value());
+    for (std::size_t length = 0; length < complete; ++length)
       ASSERT_FALSE(decode(text.substr(begin, length)).has_value()) << text.substr(begin, length);
   }
 }
 
-TEST_F(Files, ADamagedLineIsNoTornOneWhereverItIs) {
+TEST_F(Files, ADamagedLineIsNoTruncatedOneAtAnyPosition) {
   const fs::path path = folder_ / "j";
   {
     auto journal = Journal::create(path, header("force-jnd")).value();
-    go_on(journal, 9);
+    continue_run(journal, 9);
   }
   const std::string text = text_of(path);
   std::vector<std::size_t> ends;
@@ -248,12 +248,12 @@ TEST_F(Files, ANulEndsNoLine) {
   EXPECT_THAT(decode(line + '\0' + "garbage").error().message, HasSubstr("has a NUL byte"));
 }
 
-TEST_F(Files, AFullDiskIsAnErrorAndLosesNothingThatFollowed) {
+TEST_F(Files, AFullDiskIsAnErrorAndLosesNoLaterEvent) {
   const fs::path path = folder_ / "j";
   std::optional<Trial> due;
   {
     auto journal = Journal::create(path, header("force-jnd")).value();
-    go_on(journal, 9);
+    continue_run(journal, 9);
     due = journal.run().state().next();
     // The next line fits only in part.
     rlimit before{};
@@ -272,18 +272,18 @@ TEST_F(Files, AFullDiskIsAnErrorAndLosesNothingThatFollowed) {
   auto again = Journal::open(path).value();
   EXPECT_EQ(again.run().lines(), 10);
   EXPECT_EQ(again.run().state().next(), due);
-  go_on(again);
+  continue_run(again);
   EXPECT_TRUE(read_run(path).value().over());
 }
 
-TEST_F(Files, NothingIsOverwrittenAndOneWritesAtATime) {
+TEST_F(Files, NothingIsOverwrittenAndThereIsOneWriter) {
   const fs::path path = folder_ / "j";
   auto journal = Journal::create(path, header("force-jnd")).value();
   EXPECT_EQ(Journal::create(path, header("force-jnd")).error().exit_code, EX_CANTCREAT);
   EXPECT_EQ(Journal::open(path).error().exit_code, EX_TEMPFAIL);
 }
 
-TEST_F(Files, WhatDoesNotFollowIsRefused) {
+TEST_F(Files, AnEventOutOfOrderIsRefused) {
   auto journal = Journal::create(folder_ / "j", header("force-jnd")).value();
   EXPECT_FALSE(journal.append(Answered{Answer::kFirst, 1}).has_value());
   EXPECT_FALSE(journal.append(TrialStarted{{TrialKind::kScored, 9, 1, 5, 1}}).has_value());

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(StudyFolder, IsFoundFromBelowAndNeverMadeTwice) {
+TEST(StudyFolder, IsFoundFromSubfoldersAndNeverCreatedTwice) {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path();
   const StudyPlan plan = make_plan(10, {"force-threshold", "force-jnd", "speed-jnd"}, 2026);
@@ -55,7 +55,7 @@ TEST(Plan, TheSameSeedMakesTheSamePlan) {
   EXPECT_NE(run_seeds(a.participants[0], "a", 1), run_seeds(a.participants[0], "b", 1));
 }
 
-TEST(Plan, EachExperimentStandsInEachPlaceAndBehindEachOtherEquallyOften) {
+TEST(Plan, EachExperimentIsInEachPlaceAndAfterEachOtherEquallyOften) {
   for (int count = 1; count <= 6; ++count) {
     std::map<std::pair<int, int>, int> places;
     std::map<std::pair<int, int>, int> followers;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/clients/fake_daemon.h"
-#include "tests/study/fake_answers.h"
+#include "tests/study/fake_responses.h"
 
 namespace hedgehog::study {
 namespace {
@@ -21,16 +21,16 @@ using testing::HasSubstr;
 
 /// Answers every request as a daemon does, but ends no circle. Each ping is followed by ten
 /// telemetry messages, `tick_ms` apart in device time; 0: by none.
-FakeDaemon::Conversation never_ending(std::int64_t tick_ms) {
+FakeDaemon::Script endless_circle(std::int64_t tick_ms) {
   return [tick_ms](FakePeer& peer) {
-    const json answers = fake_answers();
+    const json responses = fake_responses();
     std::int64_t time_ns = 1'000'000'000;
     for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
-      const json asked = json::parse(line);
-      const std::string method = asked["method"];
-      if (asked.contains("id")) {
-        const json result = method == "ping" ? json{{"time_ns", time_ns}} : answers.at(method);
-        peer.send_line(json{{"jsonrpc", "2.0"}, {"id", asked["id"]}, {"result", result}}.dump());
+      const json request = json::parse(line);
+      const std::string method = request["method"];
+      if (request.contains("id")) {
+        const json result = method == "ping" ? json{{"time_ns", time_ns}} : responses.at(method);
+        peer.send_line(json{{"jsonrpc", "2.0"}, {"id", request["id"]}, {"result", result}}.dump());
       }
       for (int i = 0; method == "ping" && tick_ms > 0 && i < 10; ++i) {
         time_ns += tick_ms * 1'000'000;
@@ -42,7 +42,7 @@ FakeDaemon::Conversation never_ending(std::int64_t tick_ms) {
   };
 }
 
-client::Outcome<IntervalPlayed> played_by(
+client::Outcome<IntervalPlayed> play_with(
     const FakeDaemon& daemon, const std::function<bool()>& abort = [] { return false; },
     client::Milliseconds silence = 20s) {
   auto player = Player::open({daemon.address()}, 5s, silence);
@@ -51,16 +51,16 @@ client::Outcome<IntervalPlayed> played_by(
 }
 
 TEST(Player, ACircleThatNeverEndsIsAnErrorWhenItIsOverdue) {
-  const FakeDaemon daemon(never_ending(2'000));
-  const auto played = played_by(daemon);
+  const FakeDaemon daemon(endless_circle(2'000));
+  const auto played = play_with(daemon);
   ASSERT_FALSE(played.has_value());
   EXPECT_THAT(played.error().message, HasSubstr("never said that the circle ended"));
   EXPECT_NE(played.error().failure, client::Failure::kRefused);
 }
 
 TEST(Player, ADaemonThatFallsSilentIsAnError) {
-  const FakeDaemon daemon(never_ending(0));
-  const auto played = played_by(
+  const FakeDaemon daemon(endless_circle(0));
+  const auto played = play_with(
       daemon, [] { return false; }, 100ms);
   ASSERT_FALSE(played.has_value());
   EXPECT_THAT(played.error().message, HasSubstr("fallen silent"));

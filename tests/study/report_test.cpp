@@ -75,7 +75,7 @@ TEST(Rows, AreOneForEachPresentationBlock) {
 
 /// A trial with the answer "first": UTC of its start and of its interval's end, device time of its
 /// command.
-struct Begun {
+struct StartedTrial {
   const char* utc;
   const char* played_utc;
   std::int64_t command_ms;
@@ -83,7 +83,7 @@ struct Begun {
   bool resumed = false;
 };
 
-std::vector<std::string> onsets(const std::vector<Begun>& trials) {
+std::vector<std::string> onsets(const std::vector<StartedTrial>& trials) {
   RunStarted header;
   header.experiment = find_experiment("force-jnd").value();
   header.experiment.practice = 0;
@@ -91,15 +91,15 @@ std::vector<std::string> onsets(const std::vector<Begun>& trials) {
   const auto put = [&](const std::string& utc, const Event& event) {
     lines.push_back({static_cast<std::int64_t>(lines.size()) + 1, utc, event});
   };
-  for (const Begun& begun : trials) {
-    if (begun.resumed) put(begun.utc, Remark{"resumed", "ball"});
-    put(begun.utc, TrialStarted{*RecordedRun::replay(lines).value().state().next()});
+  for (const StartedTrial& trial : trials) {
+    if (trial.resumed) put(trial.utc, Remark{"resumed", "ball"});
+    put(trial.utc, TrialStarted{*RecordedRun::replay(lines).value().state().next()});
     IntervalPlayed played = good(1, 5);
-    played.command_ns = begun.command_ms * 1'000'000;
+    played.command_ns = trial.command_ms * 1'000'000;
     played.onset_ns = played.command_ns + 500'000'000;
     played.offset_ns = *played.onset_ns + 5'000'000'000;
-    put(begun.played_utc, played);
-    put(begun.played_utc, Answered{Answer::kFirst, 640});
+    put(trial.played_utc, played);
+    put(trial.played_utc, Answered{Answer::kFirst, 640});
   }
   std::vector<std::string> found;
   for (const auto& row : rows_of(RecordedRun::replay(lines).value()))
@@ -107,22 +107,23 @@ std::vector<std::string> onsets(const std::vector<Begun>& trials) {
   return found;
 }
 
-TEST(Rows, GoOnByTheWallClockWhereTheDevicesClockBeganAnew) {
-  const Begun first{"2026-11-21T10:00:00.000Z", "2026-11-21T10:00:05.500Z", 100'000};
+TEST(Rows, ContinueByTheWallClockWhereTheDevicesClockRestarted) {
+  const StartedTrial first{"2026-11-21T10:00:00.000Z", "2026-11-21T10:00:05.500Z", 100'000};
   // Ten minutes after the end of the first one; the device time is lower, or by chance higher.
-  const Begun sooner{"2026-11-21T10:10:05.500Z", "2026-11-21T10:10:11.000Z", 3'000, true};
-  Begun later = sooner;
+  const StartedTrial interrupted{"2026-11-21T10:10:05.500Z", "2026-11-21T10:10:11.000Z", 3'000,
+                                 true};
+  StartedTrial later = interrupted;
   later.command_ms = 200'000;
-  Begun unsaid = sooner;
-  unsaid.resumed = false;
-  for (const Begun& second : {sooner, later, unsaid}) {
-    Begun third = second;
+  StartedTrial unmarked = interrupted;
+  unmarked.resumed = false;
+  for (const StartedTrial& second : {interrupted, later, unmarked}) {
+    StartedTrial third = second;
     third.command_ms += 20'000;
     third.resumed = false;
     EXPECT_THAT(onsets({first, second, third}), testing::ElementsAre("0", "605.5", "625.5"));
   }
   // A wall clock that was set back meanwhile moves no onset back.
-  Begun back = sooner;
+  StartedTrial back = interrupted;
   back.utc = "2026-11-21T08:00:00.000Z";
   EXPECT_THAT(onsets({first, back}), testing::ElementsAre("0", "5.5"));
   // An unreadable time gives no onset.
@@ -135,7 +136,7 @@ TEST(Rows, AreQuotedWhereNeeded) {
   EXPECT_EQ(tsv_line({"a", "b\tc\nd"}), "a\tb c d");
 }
 
-TEST(Sidecar, SaysTheChoicesOfItsOwnExperiment) {
+TEST(Sidecar, HasTheParametersOfItsExperiment) {
   AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
   const std::string usual = bids_sidecar(run);
   EXPECT_THAT(usual, HasSubstr("one of each until the first reversal, then 2 down, 1 up"));
@@ -153,7 +154,7 @@ TEST(Sidecar, SaysTheChoicesOfItsOwnExperiment) {
   EXPECT_THAT(other, HasSubstr("one in 6, never first"));
 }
 
-TEST(Sidecar, NamesTheProgramAsBidsDoes) {
+TEST(Sidecar, NamesTheProgramAsBidsRequires) {
   const AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
   const auto file = nlohmann::json::parse(bids_sidecar(run));
   EXPECT_EQ(file["StimulusPresentation"]["SoftwareName"], "hedgehog-study");
@@ -193,7 +194,7 @@ AnalysedRun threshold_of(const std::string& participant, int run, double thresho
   return analysed;
 }
 
-TEST(Groups, HoldTheSameExperimentAndNoProgramsAmongPeople) {
+TEST(Groups, HaveOneExperimentAndNoProgramsAmongPeople) {
   std::vector<AnalysedRun> runs{threshold_of("P01", 1, 10, false),
                                 threshold_of("P01", 2, 12, false), threshold_of("P01", 3, 99, true),
                                 threshold_of("P02", 1, 14, false),
@@ -211,7 +212,7 @@ TEST(Groups, HoldTheSameExperimentAndNoProgramsAmongPeople) {
   EXPECT_EQ(groups[1].result.mean, 50);
 }
 
-TEST(Groups, PutPeopleOnASimulatedBallBehindThoseWhoFeltSomething) {
+TEST(Groups, ListPeopleOnASimulatedBallAfterThoseOnARealOne) {
   std::vector<AnalysedRun> runs{threshold_of("P01", 1, 10, false),
                                 threshold_of("P02", 1, 14, false)};
   RunStarted header = runs[1].run.header();
@@ -258,7 +259,7 @@ TEST(Figure, IsDrawnInAFolderOfAnyName) {
   EXPECT_GT(std::filesystem::file_size(folder + "/P01.force-jnd.1.png"), 2000U);
 }
 
-TEST(Bids, RefusesPeopleAndExperimentsThatWouldBeOne) {
+TEST(Bids, RefusesAmbiguousPeopleAndExperiments) {
   const TemporaryFolder folder;
   const std::filesystem::path base = folder.path();
   const StudyFolder study = StudyFolder::create(base, make_plan(1, {"force-jnd"}, 1)).value();

@@ -104,13 +104,13 @@ TEST(Traces, AreTheSameWhenTheStaircaseIsRestoredAfterEveryFewEvents) {
   }
 }
 
-TEST(Staircase, CountsReversalsBeyondAnIntsRange) {
+TEST(Staircase, CountsReversalsBeyondTheRangeOfInt) {
   StaircaseRule rule;
   rule.stages.assign(3000, {1, 1, 1'000'000});
   EXPECT_GT(rule.total_reversals(), 2'000'000'000);
 }
 
-TEST(Staircase, IsGivenUpAfterItsMostTrials) {
+TEST(Staircase, IsAbortedAfterItsMaximumOfTrials) {
   Experiment e = preset("force-jnd");
   e.rule.max_trials = 12;
   const Trace t = std::get<Trace>(trace(e, std::string(12, '1') + "11"));
@@ -119,7 +119,7 @@ TEST(Staircase, IsGivenUpAfterItsMostTrials) {
   EXPECT_EQ(t.unused, 2);
 }
 
-TEST(Staircase, TakesOtherRules) {
+TEST(Staircase, AcceptsOtherRules) {
   Experiment e = preset("speed-jnd");
   e.rule.positives_down = 3;
   e.rule.negatives_up = 2;
@@ -131,7 +131,7 @@ TEST(Staircase, TakesOtherRules) {
   EXPECT_EQ(text(t.reversals, e), (std::vector<std::string>{"78.048", "118.048"}));
 }
 
-TEST(Staircase, RefusesTokensThatAreNone) {
+TEST(Staircase, RefusesInvalidTokens) {
   EXPECT_EQ(std::get<std::string>(trace(preset("force-jnd"), "11Y")),
             "response 3: 'Y' is a catch trial, and force-jnd has none");
   EXPECT_EQ(std::get<std::string>(trace(preset("force-jnd"), "x")),
@@ -172,7 +172,7 @@ RC_GTEST_PROP(Staircase, VoidsAndCatchTrialsAnywhereChangeNothing, ()) {
   RC_ASSERT(a.threshold == b.threshold);
 }
 
-RC_GTEST_PROP(Staircase, StaysWithinItsLimitsAndTurnsWhereItSays, ()) {
+RC_GTEST_PROP(Staircase, StaysWithinItsLimitsAndReversesWhereReported, ()) {
   const Experiment e =
       preset(*rc::gen::element<std::string>("force-threshold", "force-jnd", "speed-jnd"));
   const Trace t = std::get<Trace>(trace(e, answers()));

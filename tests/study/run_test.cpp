@@ -17,15 +17,15 @@ Answer right(const Trial& trial) {
   return trial.interval_of_test == 1 ? Answer::kFirst : Answer::kSecond;
 }
 
-TEST(Run, AVoidRepeatsTheLevelWithANewOrderAndShiftsNothing) {
+TEST(Run, AVoidRepeatsTheLevelWithANewOrderAndShiftsNoTrial) {
   const Experiment e = preset("force-jnd");
-  RunState calm(e, kSeeds);
-  RunState shaken(e, kSeeds);
+  RunState reference(e, kSeeds);
+  RunState with_voids(e, kSeeds);
   int trials = 0;
   int reordered = 0;
-  while (const auto trial = calm.next()) {
-    ASSERT_EQ(shaken.next(), trial);
-    RunState voided = shaken;
+  while (const auto trial = reference.next()) {
+    ASSERT_EQ(with_voids.next(), trial);
+    RunState voided = with_voids;
     bool turned = false;
     for (int attempt = 2; attempt <= 4; ++attempt) {
       voided.make_void();
@@ -36,15 +36,15 @@ TEST(Run, AVoidRepeatsTheLevelWithANewOrderAndShiftsNothing) {
     }
     ++trials;
     reordered += turned ? 1 : 0;
-    const Answer said = calm.judgements().size() % 4 == 3 ? Answer::kFirst : right(*trial);
-    calm.answer(said);
+    const Answer given = reference.judgements().size() % 4 == 3 ? Answer::kFirst : right(*trial);
+    reference.answer(given);
     // The same correctness after the void trials, whatever the new interval order.
-    const bool was_right = said == right(*trial);
+    const bool was_right = given == right(*trial);
     const Answer same =
         (voided.next()->interval_of_test == 1) == was_right ? Answer::kFirst : Answer::kSecond;
     voided.answer(same);
-    shaken = calm;
-    ASSERT_EQ(voided.next(), calm.next());
+    with_voids = reference;
+    ASSERT_EQ(voided.next(), reference.next());
   }
   // Three random orders for each trial: in 7/8 of the trials at least one differs.
   EXPECT_GT(trials, 20);
@@ -83,7 +83,7 @@ TEST(Run, TheTestIsInEitherIntervalHalfOfTheTime) {
   EXPECT_NEAR(second, 1000, 100);
 }
 
-TEST(Run, BalancedOrderTakesTheOppositeForTheSecondOfEachPair) {
+TEST(Run, BalancedOrderReversesTheSecondOfEachPair) {
   Experiment e = preset("force-jnd");
   e.order = IntervalOrder::kBalanced;
   RunState run(e, kSeeds, false);

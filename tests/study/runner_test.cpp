@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "tests/clients/fake_daemon.h"
-#include "tests/study/fake_answers.h"
+#include "tests/study/fake_responses.h"
 #include "tests/study/preset.h"
 #include "tests/temporary_folder.h"
 
@@ -23,51 +23,52 @@ using client::FakePeer;
 using nlohmann::json;
 
 /// Answers until the client requests `last` or disconnects; counts the requested circles.
-FakeDaemon::Conversation daemon_of(json answers, std::string last, std::atomic<int>& circles) {
+FakeDaemon::Script daemon_of(json responses, std::string last, std::atomic<int>& circles) {
   return [=, &circles](FakePeer& peer) {
     for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
-      const json asked = json::parse(line);
-      const std::string method = asked["method"];
+      const json request = json::parse(line);
+      const std::string method = request["method"];
       circles += method == "effect.circle" ? 1 : 0;
       if (method == last) return;
-      if (!asked.contains("id")) continue;
-      const json result = method == "ping" ? json{{"time_ns", 1'000'000'000}} : answers.at(method);
-      peer.send_line(json{{"jsonrpc", "2.0"}, {"id", asked["id"]}, {"result", result}}.dump());
+      if (!request.contains("id")) continue;
+      const json result =
+          method == "ping" ? json{{"time_ns", 1'000'000'000}} : responses.at(method);
+      peer.send_line(json{{"jsonrpc", "2.0"}, {"id", request["id"]}, {"result", result}}.dump());
     }
   };
 }
 
-/// Enters "continue" until the shown message contains `message`, then `word` at the `looks`-th call
+/// Enters "continue" until the shown message contains `message`, then `word` at the `calls`-th call
 /// of wait().
 class ScriptedDesk : public Desk {
  public:
-  explicit ScriptedDesk(Input::Kind word, std::string message = "started anew", int looks = 20)
-      : word_(word), awaited_(std::move(message)), looks_(looks) {}
+  explicit ScriptedDesk(Input::Kind word, std::string message = "started anew", int calls = 20)
+      : word_(word), awaited_(std::move(message)), calls_(calls) {}
   void show(const View& view) override { message_ = view.message; }
   Input wait(std::chrono::milliseconds) override {
     Input input;
     if (message_.find(awaited_) == std::string::npos)
-      input.kind = asked_ == 0 ? Input::Kind::kContinue : Input::Kind::kNone;
-    else if (++asked_ == looks_)
+      input.kind = waits_ == 0 ? Input::Kind::kContinue : Input::Kind::kNone;
+    else if (++waits_ == calls_)
       input.kind = word_;
     return input;
   }
   bool unattended() const override { return false; }
-  int asked() const { return asked_; }
+  int waits() const { return waits_; }
 
  private:
   Input::Kind word_;
   std::string awaited_;
-  int looks_;
+  int calls_;
   std::string message_{};
-  int asked_ = 0;
+  int waits_ = 0;
 };
 
 class Pinned : public testing::Test {
  protected:
   std::string socket() const { return folder_.path("ball.sock"); }
 
-  Journal begun_on(const Player& player) const {
+  Journal start_journal(const Player& player) const {
     RunStarted header;
     header.participant = "P01";
     header.experiment = preset("force-threshold");
@@ -82,16 +83,16 @@ class Pinned : public testing::Test {
     client::Address address;
     address.path = socket();
     FakeDaemon first(socket(),
-                     daemon_of(fake_answers("0000000000000001"), "effect.circle", before_));
+                     daemon_of(fake_responses("0000000000000001"), "effect.circle", before_));
     auto player = Player::open({address}, 5s, 20s);
     EXPECT_TRUE(player) << player.error().message;
-    Journal journal = begun_on(*player);
+    Journal journal = start_journal(*player);
     ScriptedDesk desk(word);
     std::filesystem::remove(socket());
     FakeDaemon second(socket(), daemon_of(next, last, after_));
     Runner runner(journal, *std::move(player), desk, [&] { return after_ > 0; });
     const auto end = runner.run();
-    asked_ = desk.asked();
+    waits_ = desk.waits();
     journal_ = read_journal(folder_.path("run.jsonl")).value();
     return end.value();
   }
@@ -105,34 +106,34 @@ class Pinned : public testing::Test {
   TemporaryFolder folder_;
   std::atomic<int> before_ = 0;
   std::atomic<int> after_ = 0;
-  int asked_ = 0;
+  int waits_ = 0;
   std::vector<Line> journal_{};
 };
 
-TEST_F(Pinned, ARunPlaysNothingOnAnotherStartWithoutTheExperimentersWord) {
-  EXPECT_EQ(run(fake_answers("0000000000000002"), "never", Input::Kind::kStop), RunEnd::kStopped);
+TEST_F(Pinned, ARunPlaysNothingOnAnotherStartWithoutConfirmation) {
+  EXPECT_EQ(run(fake_responses("0000000000000002"), "never", Input::Kind::kStop), RunEnd::kStopped);
   EXPECT_EQ(before_, 1);
   EXPECT_EQ(after_, 0);
-  EXPECT_GE(asked_, 20);
+  EXPECT_GE(waits_, 20);
   EXPECT_EQ(count_changes(), 0);
 }
 
-TEST_F(Pinned, ARunGoesOnWhenTheExperimenterSaysSo) {
-  EXPECT_EQ(run(fake_answers("0000000000000002"), "effect.circle", Input::Kind::kContinue),
+TEST_F(Pinned, ARunContinuesWhenTheExperimenterConfirms) {
+  EXPECT_EQ(run(fake_responses("0000000000000002"), "effect.circle", Input::Kind::kContinue),
             RunEnd::kStopped);
   EXPECT_EQ(after_, 1);
   EXPECT_EQ(count_changes(), 1);
   EXPECT_EQ(RecordedRun::replay(journal_).value().pin().daemon.start_id, "0000000000000002");
 }
 
-TEST_F(Pinned, ADaemonThatTellsNoStartIsNotTakenForTheSameSimulator) {
-  EXPECT_EQ(run(fake_answers(), "never", Input::Kind::kStop), RunEnd::kStopped);
+TEST_F(Pinned, ADaemonThatReportsNoStartIsNotTheSameSimulator) {
+  EXPECT_EQ(run(fake_responses(), "never", Input::Kind::kStop), RunEnd::kStopped);
   EXPECT_EQ(after_, 0);
-  EXPECT_GE(asked_, 20);
+  EXPECT_GE(waits_, 20);
 }
 
 // Only the first connection tries all addresses; later ones use the address of the run's daemon.
-TEST_F(Pinned, ARunGoesToNoOtherAddressWhenItsDaemonDies) {
+TEST_F(Pinned, ARunConnectsToNoOtherAddressWhenItsDaemonEnds) {
   client::Address address;
   address.path = socket();
   client::Address elsewhere;
@@ -140,10 +141,11 @@ TEST_F(Pinned, ARunGoesToNoOtherAddressWhenItsDaemonDies) {
   std::atomic<bool> over = false;
   std::atomic<bool> visited = false;
   FakeDaemon other(elsewhere.path, [&](FakePeer&) { visited = !over; });
-  FakeDaemon first(socket(), daemon_of(fake_answers("0000000000000001"), "effect.circle", before_));
+  FakeDaemon first(socket(),
+                   daemon_of(fake_responses("0000000000000001"), "effect.circle", before_));
   auto player = Player::open({address, elsewhere}, 5s, 20s);
   ASSERT_TRUE(player) << player.error().message;
-  Journal journal = begun_on(*player);
+  Journal journal = start_journal(*player);
   std::filesystem::remove(socket());
   ScriptedDesk desk(Input::Kind::kStop, "waiting for the ball", 1);
   Runner runner(journal, *std::move(player), desk, [] { return false; });
@@ -156,11 +158,11 @@ TEST_F(Pinned, ARunGoesToNoOtherAddressWhenItsDaemonDies) {
   EXPECT_FALSE(visited);
 }
 
-TEST_F(Pinned, AConnectionThatWasLostComesBackByItself) {
-  EXPECT_EQ(run(fake_answers("0000000000000001"), "effect.circle", Input::Kind::kStop),
+TEST_F(Pinned, ALostConnectionIsReestablished) {
+  EXPECT_EQ(run(fake_responses("0000000000000001"), "effect.circle", Input::Kind::kStop),
             RunEnd::kStopped);
   EXPECT_EQ(after_, 1);
-  EXPECT_EQ(asked_, 0);
+  EXPECT_EQ(waits_, 0);
   EXPECT_EQ(count_changes(), 0);
 }
 

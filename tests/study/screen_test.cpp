@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Fault, IsWhateverThePersonDidNotFeelInFull) {
+TEST(Fault, IsAnyIncompleteDelivery) {
   const Pattern pattern;
   EXPECT_FALSE(fault_of(good(1, 5), pattern));
   const auto fault = [&](auto change) {
@@ -30,14 +30,14 @@ TEST(Fault, IsWhateverThePersonDidNotFeelInFull) {
   EXPECT_EQ(fault([](auto& p) { p.mixed_ms = 1; }), "interval 2 was mixed with another effect");
   EXPECT_EQ(fault([](auto& p) { p.reason = "tripped"; }), "interval 2 ended as tripped");
   EXPECT_EQ(fault([](auto& p) { p.onset_ns.reset(); }), "interval 2 never began");
-  const std::string unsaid = "interval 2 ended without a word on how it was delivered";
-  EXPECT_EQ(fault([](auto& p) { p.delivered_min.reset(); }), unsaid);
-  EXPECT_EQ(fault([](auto& p) { p.masked_ms.reset(); }), unsaid);
-  EXPECT_EQ(fault([](auto& p) { p.mixed_ms.reset(); }), unsaid);
+  const std::string undelivered = "interval 2 ended without a word on how it was delivered";
+  EXPECT_EQ(fault([](auto& p) { p.delivered_min.reset(); }), undelivered);
+  EXPECT_EQ(fault([](auto& p) { p.masked_ms.reset(); }), undelivered);
+  EXPECT_EQ(fault([](auto& p) { p.mixed_ms.reset(); }), undelivered);
   EXPECT_EQ(fault([](auto& p) { *p.offset_ns -= 10'000'000; }), "interval 2 was cut short");
 }
 
-TEST(Participant, IsNeverToldLevelCorrectnessOrProgress) {
+TEST(Participant, IsNeverShownLevelCorrectnessOrProgress) {
   const RecordedRun run = recorded();
   for (int phase = 0; phase <= static_cast<int>(Phase::kOver); ++phase) {
     View view{&run, static_cast<Phase>(phase), 1, "level 3.45, wrong, trial 7 of 40", 41.0};
@@ -77,7 +77,7 @@ TEST(Blind, IsForTheWholeRun) {
   EXPECT_TRUE(RecordedRun::replay({line}).value().blind());
 }
 
-TEST(ExitCode, SaysWhatTheDaemonWants) {
+TEST(ExitCode, FollowsTheDaemonsError) {
   using client::Failure;
   const auto refused = [](protocol::ErrorCode code) {
     return report_error(
@@ -90,7 +90,7 @@ TEST(ExitCode, SaysWhatTheDaemonWants) {
   EXPECT_EQ(report_error(client::ClientError{Failure::kBadAddress, "no", {}}), EX_USAGE);
 }
 
-TEST(Ball, IsAskedForNoMoreThanItPlays) {
+TEST(Ball, IsRequiredToPlayTheWholeExperiment) {
   Experiment e = find_experiment("force-jnd").value();
   EXPECT_FALSE(beyond(e, 15.0));
   EXPECT_THAT(*beyond(e, 10.0), HasSubstr("goes up to 15 A and this ball plays at most 10 A"));

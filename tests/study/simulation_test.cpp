@@ -27,7 +27,7 @@ constexpr int kPeople = 2000;
 
 class TwoThousandPeople : public testing::TestWithParam<Reference> {};
 
-TEST_P(TwoThousandPeople, LieWithinThreeStandardErrorsOfTheReference) {
+TEST_P(TwoThousandPeople, AreWithinThreeStandardErrorsOfTheReference) {
   const Reference& reference = GetParam();
   const Experiment e = find_experiment(reference.experiment).value();
   const auto runs = simulate(e, thesis_population(e.quantity), {kPeople, 2026, 2, false});
@@ -87,7 +87,7 @@ TEST(Convergence, FollowsTheStepRatioOfEachRule) {
   }
 }
 
-TEST(Observer, IsPositiveIn80PercentAtTheThresholdAndKnowsItsInverse) {
+TEST(Observer, IsPositiveIn80PercentAtTheThresholdAndHasAnInverse) {
   for (const Curve curve : {Curve::kWeibull, Curve::kLogistic}) {
     Observer o{curve, 13.0, 2.0, 0.5, 0.0, 0.6};
     EXPECT_NEAR(o.positive_at(13.0), 0.8, 1e-12);
@@ -109,14 +109,14 @@ TEST(Analysis, FindsAPersonsThresholdInThreeWays) {
     EXPECT_NEAR(*a.weber_fraction, *a.threshold / 100.0, 1e-12);
     EXPECT_NEAR(*a.force_n, *a.threshold / 100.0 * 5 * 0.0126, 1e-12);
     fits.push_back(a.fit->threshold);
-    const double truth = o.level_at(0.8035);
-    covered += a.interval->contains(truth) ? 1 : 0;
+    const double threshold = o.level_at(0.8035);
+    covered += a.interval->contains(threshold) ? 1 : 0;
   }
   EXPECT_NEAR(mean(fits), o.level_at(0.8035), 2.5);
   EXPECT_GE(covered, 52);  // nominally 57 of 60
 }
 
-TEST(Analysis, FlagsAThresholdOutsideTheIntervalBesideIt) {
+TEST(Analysis, FlagsAThresholdOutsideItsInterval) {
   const Experiment e = find_experiment("speed-jnd").value();
   // An observer with a lapse rate of 30 %, which the fit does not expect.
   const Observer o{Curve::kWeibull, 45.0, 0.6, 0.5, 0.3, 0.6};
@@ -131,9 +131,9 @@ TEST(Analysis, FlagsAThresholdOutsideTheIntervalBesideIt) {
   EXPECT_LT(outside, 30);
 }
 
-TEST(Analysis, FlagsWhoGuesses) {
+TEST(Analysis, FlagsAGuessingObserver) {
   const Experiment e = find_experiment("speed-jnd").value();
-  const Observer guesser{Curve::kWeibull, 1e9, 2.0, 0.5, 0.0, 0.6};
+  const Observer guessing{Curve::kWeibull, 1e9, 2.0, 0.5, 0.0, 0.6};
   const Observer person{Curve::kWeibull, 45.0, 2.0, 0.5, 0.02, 0.6};
   const auto flagged = [&](const Observer& o) {
     int count = 0;
@@ -143,7 +143,7 @@ TEST(Analysis, FlagsWhoGuesses) {
     }
     return count;
   };
-  EXPECT_GE(flagged(guesser), 80);
+  EXPECT_GE(flagged(guessing), 80);
   EXPECT_LE(flagged(person), 5);
 }
 
@@ -197,7 +197,7 @@ TEST(DistinguishableLevels, DependOnFormulaAndRange) {
   EXPECT_EQ(level_remarks(2.1, 0.3, 0.49).size(), 2U);
 }
 
-TEST(Statistics, AreTheTextbooks) {
+TEST(Statistics, AreThoseOfTheTextbook) {
   EXPECT_EQ(mean({1, 2, 6}), 3);
   EXPECT_NEAR(standard_deviation({1, 2, 6}), std::sqrt(7.0), 1e-12);
   EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);

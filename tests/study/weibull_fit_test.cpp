@@ -133,7 +133,7 @@ TEST_P(EachExperiment, TheIntervalHoldsTheTrueThresholdIn95Percent) {
   EXPECT_NEAR(static_cast<double>(covered) / people, 0.95, HEDGEHOG_SANITIZED != 0 ? 0.06 : 0.02);
 }
 
-TEST(Weibull, ToldWhichBoundsTheAnswersLeaveOpen) {
+TEST(Weibull, ReportsUndeterminedBounds) {
   const Experiment e = preset("force-threshold");
   // A step: nothing below 2 A, everything above.
   std::vector<Judgement> step;
@@ -144,15 +144,15 @@ TEST(Weibull, ToldWhichBoundsTheAnswersLeaveOpen) {
   EXPECT_NEAR(steep.observer.slope, kMaxSlope, 1e-6);
   EXPECT_FALSE(steep.threshold_at_bound);
   // No positive answer: the threshold lies at or above the ceiling.
-  const std::vector<Judgement> nothing(30, {5.0, false});
-  const WeibullFit numb = fit_weibull(e, nothing, 0.02, 0.02);
-  const Interval interval = profile_interval(e, nothing, numb).value();
+  const std::vector<Judgement> no_positives(30, {5.0, false});
+  const WeibullFit insensitive = fit_weibull(e, no_positives, 0.02, 0.02);
+  const Interval interval = profile_interval(e, no_positives, insensitive).value();
   EXPECT_TRUE(interval.high_is_bound);
   EXPECT_NEAR(interval.high, 15.0, 1e-9);
   EXPECT_FALSE(interval.low_is_bound);
   EXPECT_GT(interval.low, 5.0);
   // With a guess rate of 90 % no level has 80 % of positive answers.
-  EXPECT_FALSE(profile_interval(e, nothing, fit_weibull(e, nothing, 0.9, 0.02)));
+  EXPECT_FALSE(profile_interval(e, no_positives, fit_weibull(e, no_positives, 0.9, 0.02)));
 }
 
 }  // namespace

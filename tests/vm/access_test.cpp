@@ -22,7 +22,7 @@ class Access : public Bench {
   static void SetUpTestSuite() {
     shell("systemd-sysusers " + source_folder() + "/systemd/hedgehog.sysusers");
     ASSERT_NE(::getgrnam("hedgehog"), nullptr);
-    open_programs_to_everybody();
+    open_programs_to_all_users();
   }
   static void install_rules() {
     shell("mkdir -p /run/udev/rules.d && cp " + source_folder() +
@@ -33,7 +33,7 @@ class Access : public Bench {
     shell("rm -f /run/udev/rules.d/60-hedgehog.rules; udevadm control --reload");
   }
 
-  static bool is_the_groups(const fs::path& node) {
+  static bool belongs_to_group(const fs::path& node) {
     struct stat state {};
     return ::stat(node.c_str(), &state) == 0 && state.st_gid == ::getgrnam("hedgehog")->gr_gid &&
            (state.st_mode & 0777) == 0660;
@@ -59,8 +59,8 @@ class Access : public Bench {
   static std::vector<std::string> hidraw_nodes(const std::string& ids) {
     std::vector<std::string> nodes;
     for (const auto& entry : fs::directory_iterator("/sys/class/hidraw")) {
-      std::error_code gone;  // a driver may remove it meanwhile
-      const std::string path = fs::canonical(entry.path(), gone).string();
+      std::error_code ignored;  // a driver may remove it meanwhile
+      const std::string path = fs::canonical(entry.path(), ignored).string();
       if (path.find(ids) != std::string::npos)
         nodes.push_back("/dev/" + entry.path().filename().string());
     }
@@ -68,7 +68,7 @@ class Access : public Bench {
   }
 };
 
-TEST_F(Access, WithoutTheRulesTheDaemonSaysWhatIsMissing) {
+TEST_F(Access, WithoutTheRulesTheDaemonReportsWhatIsMissing) {
   configure();
   emulator_->ok("plug board");
   ASSERT_TRUE(eventually([] { return !usb_node("Hedgehog driver board").empty(); }));
@@ -78,17 +78,17 @@ TEST_F(Access, WithoutTheRulesTheDaemonSaysWhatIsMissing) {
   EXPECT_EQ(daemon.state(), "absent");
 }
 
-TEST_F(Access, TheRulesAreWhatUdevUnderstands) {
+TEST_F(Access, TheRulesAreValidForUdev) {
   install_rules();
-  const std::string said = shell("udevadm test /sys/bus/usb/devices/usb1");
-  EXPECT_NE(said.find("60-hedgehog.rules"), std::string::npos);
+  const std::string output = shell("udevadm test /sys/bus/usb/devices/usb1");
+  EXPECT_NE(output.find("60-hedgehog.rules"), std::string::npos);
   for (const char* wrong :
        {"60-hedgehog.rules:1 ", "Invalid", "invalid", "nknown key", "gnoring"}) {
-    const auto at = said.find(wrong);
-    const bool ours =
+    const auto at = output.find(wrong);
+    const bool own_rule =
         at != std::string::npos &&
-        said.substr(said.rfind('\n', at) + 1, 200).find("60-hedgehog") != std::string::npos;
-    EXPECT_FALSE(ours) << said.substr(at, 200);
+        output.substr(output.rfind('\n', at) + 1, 200).find("60-hedgehog") != std::string::npos;
+    EXPECT_FALSE(own_rule) << output.substr(at, 200);
   }
 }
 
@@ -97,18 +97,18 @@ TEST_F(Access, TheRulesGiveEveryDeviceToTheGroupAndTheDaemonPlaysAsItsUser) {
   for (const char* device : {"board", "mti", "hid-sensor", "dualsense", "temper"})
     emulator_->ok(std::string("plug ") + device);
   for (const char* product : {"Hedgehog driver board", "MTi-30", "Orientation sensor"}) {
-    EXPECT_TRUE(eventually([&] { return is_the_groups(usb_node(product)); }))
+    EXPECT_TRUE(eventually([&] { return belongs_to_group(usb_node(product)); }))
         << product << shell("ls -l " + usb_node(product));
   }
   for (const char* ids : {":054C:0CE6.", ":413D:2107."}) {
     EXPECT_TRUE(eventually([&] {
       const auto nodes = hidraw_nodes(ids);
-      return !nodes.empty() && std::all_of(nodes.begin(), nodes.end(), is_the_groups);
+      return !nodes.empty() && std::all_of(nodes.begin(), nodes.end(), belongs_to_group);
     })) << ids
         << shell("ls -l /dev/hidraw*");
   }
   shell("udevadm settle");
-  EXPECT_TRUE(is_the_groups(usb_node("Orientation sensor"))) << "and stays so";
+  EXPECT_TRUE(belongs_to_group(usb_node("Orientation sensor"))) << "and stays so";
   const std::string board =
       shell("udevadm info --query=property --name=" + usb_node("Hedgehog driver board"));
   const auto serial = board.find("ID_SERIAL_SHORT=") + std::string("ID_SERIAL_SHORT=").size();

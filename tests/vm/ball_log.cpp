@@ -17,7 +17,7 @@ constexpr double kQuietMs = 60'000;
 // Every 61 ms: this samples all phases of the waves that games play, whose periods are round
 // numbers.
 constexpr double kTelemetryHz = 1000.0 / 61.0;
-constexpr double kStillA = 0.1;
+constexpr double kZeroCurrentA = 0.1;
 // Minimum cosine of the angle between field and side.
 constexpr double kSameSide = 0.99;
 
@@ -36,7 +36,7 @@ PlayedEffect* BallLog::find(std::int64_t effect) {
   return at == played_.rend() ? nullptr : &*at;
 }
 
-void BallLog::take_event(const Json& event) {
+void BallLog::handle_event(const Json& event) {
   const auto effect = event["effect"].get<std::int64_t>();
   if (event["type"] == "effect_started") {
     PlayedEffect begun;
@@ -52,7 +52,7 @@ void BallLog::take_event(const Json& event) {
     one->flowed_ms = 1e-6 * (event["offset_ns"].get<double>() - event["onset_ns"].get<double>());
 }
 
-void BallLog::take_telemetry(const Json& telemetry) {
+void BallLog::handle_telemetry(const Json& telemetry) {
   current_a_ = norm(e2e::vector_of(telemetry["current_a"]));
   side_ = e2e::vector_of(telemetry["field"]);
   for (const Json& playing : telemetry["effects"]) {
@@ -61,7 +61,7 @@ void BallLog::take_telemetry(const Json& telemetry) {
     one->method = playing["method"];
     // The field may already be off in a tick whose current still decays.
     if (current_a_ <= one->peak_a || norm(side_) == 0.0) continue;
-    if (current_a_ > kStillA && norm(one->begun_at) == 0.0) one->begun_at = side_;
+    if (current_a_ > kZeroCurrentA && norm(one->begun_at) == 0.0) one->begun_at = side_;
     one->peak_a = current_a_;
     one->side = side_;
   }
@@ -71,8 +71,8 @@ void BallLog::read() {
   const auto line = client_.line();
   if (!line) throw std::runtime_error("the daemon tells nothing more");
   const Json message = Json::parse(*line);
-  if (message.value("method", "") == "event") take_event(message["params"]);
-  if (message.value("method", "") == "telemetry") take_telemetry(message["params"]);
+  if (message.value("method", "") == "event") handle_event(message["params"]);
+  if (message.value("method", "") == "telemetry") handle_telemetry(message["params"]);
 }
 
 bool BallLog::until(const std::function<bool()>& done) {
@@ -98,7 +98,7 @@ bool BallLog::until_pushed(const model::Vec3& side, double current_a) {
 }
 
 bool BallLog::until_still() {
-  return until([&] { return current_a_ < kStillA; });
+  return until([&] { return current_a_ < kZeroCurrentA; });
 }
 
 std::string BallLog::text() const {

@@ -50,8 +50,8 @@ class BallLog {
 
  private:
   void read();
-  void take_event(const e2e::Json& event);
-  void take_telemetry(const e2e::Json& telemetry);
+  void handle_event(const e2e::Json& event);
+  void handle_telemetry(const e2e::Json& telemetry);
   PlayedEffect* find(std::int64_t effect);
 
   e2e::RawClient client_;

@@ -32,8 +32,8 @@ using e2e::hedgehog_usbip;
 using e2e::hedgehogd;
 
 constexpr double kMinuteMs = 60'000;
-constexpr double kOftenMs = 1'000;
-constexpr int kSeldomMs = 50;
+constexpr double kFastPollMs = 1'000;
+constexpr int kSlowPollMs = 50;
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> all;
@@ -45,9 +45,9 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 /// False: the user does not exist, or this process is not root.
 bool become(const std::string& user) {
-  const passwd* who = ::getpwnam(user.c_str());
-  return who != nullptr && ::initgroups(user.c_str(), who->pw_gid) == 0 &&
-         ::setgid(who->pw_gid) == 0 && ::setuid(who->pw_uid) == 0;
+  const passwd* account = ::getpwnam(user.c_str());
+  return account != nullptr && ::initgroups(user.c_str(), account->pw_gid) == 0 &&
+         ::setgid(account->pw_gid) == 0 && ::setuid(account->pw_uid) == 0;
 }
 
 std::vector<std::string>& figures() {
@@ -85,12 +85,12 @@ double now_ms() {
 
 void pause_ms(int milliseconds) { ::usleep(static_cast<useconds_t>(1000 * milliseconds)); }
 
-bool eventually(const std::function<bool()>& done, int look_ms, int minutes) {
+bool eventually(const std::function<bool()>& done, int poll_ms, int minutes) {
   const double from = now_ms();
   while (!done()) {
     const double waited = now_ms() - from;
     if (waited > minutes * kMinuteMs) return false;
-    pause_ms(waited < kOftenMs ? look_ms : std::max(look_ms, kSeldomMs));
+    pause_ms(waited < kFastPollMs ? poll_ms : std::max(poll_ms, kSlowPollMs));
   }
   return true;
 }
@@ -105,7 +105,7 @@ std::string shell(const std::string& command) {
   return text;
 }
 
-void open_programs_to_everybody() {
+void open_programs_to_all_users() {
   constexpr const char* kOpen = "/run/hedgehog-test";
   const char* programs = std::getenv("HEDGEHOG_PROGRAMS");
   const std::string folder = programs != nullptr ? programs : build_folder();
@@ -170,27 +170,27 @@ Emulator::Emulator(const Home& home, std::vector<std::string> devices) : home_(h
     throw std::runtime_error("hedgehog-usbip does not start: " + home_.read("emulator"));
 }
 
-std::string Emulator::tell(const std::string& command) const {
+std::string Emulator::execute(const std::string& command) const {
   const int fd = connect_to(home_.path("control"));
   const std::string line = command + "\n";
-  std::string answer;
+  std::string response;
   if (fd >= 0 && ::send(fd, line.data(), line.size(), MSG_NOSIGNAL) > 0) {
     char chunk[1024];
-    while (answer.find('\n') == std::string::npos) {
+    while (response.find('\n') == std::string::npos) {
       const auto n = ::recv(fd, chunk, sizeof chunk, 0);
       if (n <= 0) break;
-      answer.append(chunk, static_cast<std::size_t>(n));
+      response.append(chunk, static_cast<std::size_t>(n));
     }
-    if (answer.ends_with('\n')) answer.pop_back();
+    if (response.ends_with('\n')) response.pop_back();
   }
   ::close(fd);
-  return answer;
+  return response;
 }
 
 double Emulator::current_a() const {
   double sum = 0.0;
-  const Json told = status("board");
-  for (const double one : told["current_a"]) sum += one * one;
+  const Json board = status("board");
+  for (const double one : board["current_a"]) sum += one * one;
   return std::sqrt(sum);
 }
 
@@ -227,12 +227,12 @@ bool Daemon::logs(const std::string& text) const {
 }
 
 void Daemon::arm() {
-  Json answer;
+  Json response;
   const bool armed = eventually([&] {
-    answer = call("device.arm");
+    response = call("device.arm");
     return state() == "armed";
   });
-  ASSERT_TRUE(armed) << answer << status();
+  ASSERT_TRUE(armed) << response << status();
 }
 
 double Daemon::pulse(const Emulator& emulator, double current_a, int duration_ms) {

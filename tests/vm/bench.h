@@ -25,9 +25,9 @@ using e2e::RawClient;
 
 /// CLOCK_MONOTONIC of the guest, which counts instructions: it stops while the host is busy.
 double now_ms();
-/// Polls every `look_ms` (later on, at least 50 ms) until `done`, for up to `minutes` of the
+/// Polls every `poll_ms` (later on, at least 50 ms) until `done`, for up to `minutes` of the
 /// guest's time; false: it was never true.
-bool eventually(const std::function<bool()>& done, int look_ms = 4, int minutes = 1);
+bool eventually(const std::function<bool()>& done, int poll_ms = 4, int minutes = 1);
 /// For programs that read large files of the host, whose duration in the guest is unpredictable.
 inline constexpr int kManyMinutes = 5;
 void pause_ms(int milliseconds);
@@ -36,7 +36,7 @@ std::string shell(const std::string& command);
 
 /// From now on the programs under test run from a path that every user can access, wherever the
 /// build is.
-void open_programs_to_everybody();
+void open_programs_to_all_users();
 
 /// Adds a line to the table that is printed after the last test.
 void figure(const std::string& what, double value, const std::string& unit);
@@ -67,10 +67,10 @@ class Emulator {
   Emulator(const Home& home, std::vector<std::string> devices);
 
   /// Sends a command; returns the response.
-  std::string tell(const std::string& command) const;
+  std::string execute(const std::string& command) const;
   /// Sends a command, and expects "ok".
-  void ok(const std::string& command) const { EXPECT_EQ(tell(command), "ok") << command; }
-  Json status(const std::string& device) const { return Json::parse(tell("status " + device)); }
+  void ok(const std::string& command) const { EXPECT_EQ(execute(command), "ok") << command; }
+  Json status(const std::string& device) const { return Json::parse(execute("status " + device)); }
   /// The norm of the true currents.
   double current_a() const;
   /// The latest event of that name in the board's trace.

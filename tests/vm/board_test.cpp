@@ -52,10 +52,10 @@ class Board : public Bench {
   /// The smallest of a few pulses' peaks: when a set-point arrives late, the voltage of an edge
   /// lasts longer.
   double undisturbed_peak_a(double current_a) {
-    double least_a = daemon_->pulse(*emulator_, current_a, 200);
-    for (int further = 4; further > 0 && least_a > 1.04 * current_a; --further)
-      least_a = std::min(least_a, daemon_->pulse(*emulator_, current_a, 200));
-    return least_a;
+    double min_a = daemon_->pulse(*emulator_, current_a, 200);
+    for (int further = 4; further > 0 && min_a > 1.04 * current_a; --further)
+      min_a = std::min(min_a, daemon_->pulse(*emulator_, current_a, 200));
+    return min_a;
   }
 
   std::optional<Daemon> daemon_;
@@ -118,20 +118,20 @@ TEST_F(Board, IsFoundAndExchangesAThousandFramesASecondAndPlays) {
   }
 }
 
-TEST_F(Board, PulledWhileFifteenAmperesFlowIsSafeAndIsBackAfterAPlug) {
+TEST_F(Board, UnpluggedWhileFifteenAmperesFlowIsSafeAndReturnsWhenPlugged) {
   begin();
   for (const std::string how : {"unplug", "cut"}) {
     drive();
     daemon_->call("events.subscribe");
     const double pulled_ms = now_ms();
     emulator_->ok(how + " board");
-    const Json gone = daemon_->client().notification("event", "state_changed");
-    EXPECT_EQ(gone["state"], "absent");
+    const Json absent = daemon_->client().notification("event", "state_changed");
+    EXPECT_EQ(absent["state"], "absent");
     figure(how + " to state absent", now_ms() - pulled_ms, "ms");
     expect_dead_man(how + " at 15 A");
 
     const double plugged_ms = now_ms();
-    ASSERT_TRUE(eventually([&] { return emulator_->tell("plug board") == "ok"; }));
+    ASSERT_TRUE(eventually([&] { return emulator_->execute("plug board") == "ok"; }));
     const Json back = daemon_->client().notification("event", "state_changed");
     EXPECT_EQ(back["state"], "disarmed");
     figure("plug to ready", now_ms() - plugged_ms, "ms");
@@ -140,7 +140,7 @@ TEST_F(Board, PulledWhileFifteenAmperesFlowIsSafeAndIsBackAfterAPlug) {
   }
 }
 
-TEST_F(Board, MakesItselfSafeWhenTheDaemonIsKilledAndANewOneBeginsDisarmed) {
+TEST_F(Board, BecomesSafeWhenTheDaemonIsKilledAndANewOneStartsDisarmed) {
   begin();
   drive();
   EXPECT_EQ(daemon_->stop(SIGKILL), -1);
@@ -158,7 +158,7 @@ TEST_F(Board, IsSafeAtOnceWhenTheDaemonIsStopped) {
   EXPECT_LT(emulator_->last("zero")["set_point_age_ms"].get<int>(), kDeadManMs);
 }
 
-TEST_F(Board, IsMendedAfterStalls) {
+TEST_F(Board, RecoversAfterStalls) {
   begin();
   for (const std::string endpoint : {"81", "1"}) {
     const double stalled_ms = now_ms();
@@ -174,7 +174,7 @@ TEST_F(Board, IsMendedAfterStalls) {
   }
 }
 
-TEST_F(Board, ThatFallsSilentIsAbsentAndComesBack) {
+TEST_F(Board, ThatFallsSilentIsAbsentAndReturns) {
   begin();
   drive();
   emulator_->ok("silence board on");
@@ -188,7 +188,7 @@ TEST_F(Board, ThatFallsSilentIsAbsentAndComesBack) {
 TEST_F(Board, OfAnotherVersionOrKindOrBesideASecondOneIsNamed) {
   configure();
   daemon_.emplace(home_);
-  const auto remedy_says = [&](const std::string& text) {
+  const auto expect_remedy = [&](const std::string& text) {
     EXPECT_TRUE(eventually([&] {
       return daemon_->status()["remedy"].dump().find(text) != std::string::npos;
     })) << text
@@ -197,12 +197,12 @@ TEST_F(Board, OfAnotherVersionOrKindOrBesideASecondOneIsNamed) {
         << daemon_->log();
   };
   emulator_->ok("plug stranger");
-  remedy_says("no interface of a driver board");
+  expect_remedy("no interface of a driver board");
   emulator_->ok("unplug stranger");
 
   emulator_->ok("version board 2");
   emulator_->ok("plug board");
-  remedy_says("version 2 of the board protocol");
+  expect_remedy("version 2 of the board protocol");
   EXPECT_EQ(daemon_->state(), "absent");
   emulator_->ok("unplug board");
   emulator_->ok("version board 1");
@@ -211,9 +211,9 @@ TEST_F(Board, OfAnotherVersionOrKindOrBesideASecondOneIsNamed) {
   emulator_->ok("plug other");
   EXPECT_TRUE(daemon_->stop() == 0);
   daemon_.emplace(home_);
-  remedy_says("two driver boards are connected");
-  remedy_says("B1");
-  remedy_says("B2");
+  expect_remedy("two driver boards are connected");
+  expect_remedy("B1");
+  expect_remedy("B2");
   EXPECT_EQ(daemon_->stop(), 0);
 
   configure({{"device", "second"}});
@@ -225,7 +225,7 @@ TEST_F(Board, OfAnotherVersionOrKindOrBesideASecondOneIsNamed) {
 
 // The remaining load is control's tick of 1 ms, the link's of 10 ms, and a scan for a board once a
 // second.
-TEST_F(Board, LeavesNoBusyLoopBehind) {
+TEST_F(Board, LeavesNoBusyLoop) {
   begin();
   const double with = daemon_->cpu_ms();
   pause_ms(3000);

@@ -14,20 +14,20 @@ class Cycles : public Bench {
 
   /// Fills the history to its limit, so that another event does not increase memory.
   void fill_history() const {
-    constexpr int kKept = 5000;
+    constexpr int kEntries = 5000;
     constexpr const char* kLine =
         R"({"at":"2026-11-22T05:20:07.189Z","type":"state_changed","time_ns":63799163147742,)"
         R"("state":"disarmed","reason":"hot_plugged","remedy":"Run: hedgehogctl arm"})"
         "\n";
     std::string lines;
-    for (int i = 0; i < kKept; ++i) lines += kLine;
+    for (int i = 0; i < kEntries; ++i) lines += kLine;
     home_.write("state/hedgehog/events.jsonl", lines);
   }
 
   int number(const char* device, const char* what) const { return emulator_->status(device)[what]; }
 };
 
-TEST_F(Cycles, LoseNoDescriptorAndNoMemory) {
+TEST_F(Cycles, LeakNoDescriptorAndNoMemory) {
   constexpr int kRounds = 100;
   constexpr int kWarm = 50;
   configure({{"imu", {{"type", "mti"}}}, {"thermometer", {{"type", "temper"}, {"role", "shell"}}}});
@@ -41,17 +41,17 @@ TEST_F(Cycles, LoseNoDescriptorAndNoMemory) {
   for (int round = 1; round <= kRounds; ++round) {
     const int frames = number("board", "frames_in");
     const int reports = number("mti", "reports");
-    const int asked = number("temper", "asked");
+    const int before = number("temper", "asked");
     const double plugged_ms = now_ms();
     for (const char* device : {"plug board", "plug mti", "plug temper"}) emulator_->ok(device);
     // Seldom, because otherwise the emulated processor would spend most of its time on responses.
-    constexpr int kLookMs = 50;
+    constexpr int kPollMs = 50;
     ASSERT_TRUE(eventually(
         [&] {
           return number("board", "frames_in") > frames && number("mti", "reports") > reports &&
-                 number("temper", "asked") > asked;
+                 number("temper", "asked") > before;
         },
-        kLookMs))
+        kPollMs))
         << "round " << round << "\n"
         << daemon.log();
     longest_ms = std::max(longest_ms, now_ms() - plugged_ms);

@@ -17,7 +17,7 @@
 namespace hedgehog::vm {
 namespace {
 
-constexpr int kEventPatienceMs = 60'000;
+constexpr int kEventTimeoutMs = 60'000;
 constexpr std::size_t kWordBits = sizeof(unsigned long) * CHAR_BIT;
 
 }  // namespace
@@ -70,7 +70,7 @@ void EventNode::write(std::uint16_t code, int value) const {
 std::optional<input_event> EventNode::next() const {
   input_event event{};
   pollfd waiting{fd_, POLLIN, 0};
-  if (::poll(&waiting, 1, kEventPatienceMs) != 1 ||
+  if (::poll(&waiting, 1, kEventTimeoutMs) != 1 ||
       ::read(fd_, &event, sizeof event) != sizeof event)
     return std::nullopt;
   return event;

@@ -16,7 +16,7 @@ class GamepadAccess : public GamepadBench {
     for (const char* file : {"hedgehog.sysusers", "hedgehog-gamepad.sysusers"})
       shell(std::string("systemd-sysusers " + source_folder() + "/systemd/") + file);
     ASSERT_NE(::getgrnam("hedgehog-gamepad"), nullptr);
-    open_programs_to_everybody();
+    open_programs_to_all_users();
   }
   static void TearDownTestSuite() {
     shell(
@@ -37,7 +37,7 @@ class GamepadAccess : public GamepadBench {
   }
 };
 
-TEST_F(GamepadAccess, WithoutTheRuleTheProgramSaysWhatIsMissing) {
+TEST_F(GamepadAccess, WithoutTheRuleTheProgramReportsWhatIsMissing) {
   chmod(home_.path("").c_str(), 0777);
   Child bridge({e2e::hedgehog_gamepad()}, home_.environment(), home_.path("bridge"),
                "hedgehog-gamepad");

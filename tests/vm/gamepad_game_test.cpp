@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr int kLookMs = 100;
+constexpr int kPollMs = 100;
 constexpr int kCloseMs = 500;
 // Four bytes a tick: two hours of play.
 constexpr const char* kRecordingKiB = "1024";
@@ -77,10 +77,10 @@ class GamepadGame : public GamepadBench {
     return lit_share(before) > 0.4 && changed_share(before, screen.picture()) < 0.02;
   }
   /// True if the picture changes when the ball is tilted by `tilt`.
-  bool changes_the_view(const Screen& screen, const model::Quaternion& tilt) {
+  bool changes_view(const Screen& screen, const model::Quaternion& tilt) {
     const Picture before = screen.picture();
     turn(tilt);
-    return eventually([&] { return changed_share(before, screen.picture()) > 0.2; }, kLookMs,
+    return eventually([&] { return changed_share(before, screen.picture()) > 0.2; }, kPollMs,
                       kManyMinutes);
   }
 };
@@ -113,13 +113,13 @@ TEST_F(GamepadGame, ChocolateDoomIsSteeredByTilting) {
              environment, home_.path("game"));
   const auto printed = [&] { return home_.read("game"); };
   const auto until_still = [&] {
-    return eventually([&] { return game.ended() || is_still(screen); }, kLookMs, kManyMinutes);
+    return eventually([&] { return game.ended() || is_still(screen); }, kPollMs, kManyMinutes);
   };
   ASSERT_TRUE(until_still()) << printed();
   ASSERT_FALSE(game.ended()) << printed();
   EXPECT_TRUE(holds(game.pid(), node())) << printed();
   const auto tilt = [&](const model::Vec3& axis) {
-    EXPECT_TRUE(changes_the_view(screen, model::axis_angle(axis, 60)));
+    EXPECT_TRUE(changes_view(screen, model::axis_angle(axis, 60)));
     turn({});
     EXPECT_TRUE(until_still()) << printed();
   };

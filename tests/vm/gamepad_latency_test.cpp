@@ -59,12 +59,12 @@ TEST_F(GamepadLatency, FromAGamesPlayToTheEffect) {
     client.notification("event", "effect_started");
     by_game.push_back(now_ms() - played);
 
-    const double asked = now_ms();
+    const double start_ms = now_ms();
     client.send(R"({"jsonrpc":"2.0","method":"effect.pulse","params":{"direction":"front",)"
                 R"("level":0.3,"duration_ms":1}})"
                 "\n");
     client.notification("event", "effect_started");
-    by_client.push_back(now_ms() - asked);
+    by_client.push_back(now_ms() - start_ms);
   }
   report("play at the event node to effect_started", by_game);
   report("effect.pulse of a client to effect_started", by_client);

@@ -53,9 +53,9 @@ class GamepadPrograms : public GamepadBench {
   }
   /// Waits until it has ended.
   void wait() {
-    EXPECT_TRUE(ball_->until([&] { return program_->ended(); })) << said();
+    EXPECT_TRUE(ball_->until([&] { return program_->ended(); })) << printed();
   }
-  std::string said() const { return home_.read("program"); }
+  std::string printed() const { return home_.read("program"); }
   /// How often the program has started an effect at the event node.
   std::size_t plays() const {
     const std::vector<std::string> all = game_commands();
@@ -75,18 +75,18 @@ TEST_F(GamepadPrograms, Fftest) {
   const auto play = [&](const std::string& number, const model::Vec3& side) {
     Typed fftest("fftest " + node(), home_.path("program"));
     fftest.type(number);
-    EXPECT_TRUE(ball_->until_pushed(side, 2)) << said() << ball_->text() << bridge_log();
+    EXPECT_TRUE(ball_->until_pushed(side, 2)) << printed() << ball_->text() << bridge_log();
     fftest.type("-1");
-    EXPECT_EQ(fftest.end(), 0) << said();
+    EXPECT_EQ(fftest.end(), 0) << printed();
     EXPECT_TRUE(ball_->until_still());
   };
   play("0", kDown);
   play("1", back_right);
   play("4", kDown);
   play("5", kDown);
-  EXPECT_THAT(said(), HasSubstr("Constant, Periodic, Ramp, Rumble, Gain"));
-  EXPECT_THAT(said(), HasSubstr("Uploading effect #0 (Periodic sinusoidal) ... OK"));
-  EXPECT_THAT(said(), HasSubstr("Uploading effect #2 (Spring) ... Error: Invalid argument"));
+  EXPECT_THAT(printed(), HasSubstr("Constant, Periodic, Ramp, Rumble, Gain"));
+  EXPECT_THAT(printed(), HasSubstr("Uploading effect #0 (Periodic sinusoidal) ... OK"));
+  EXPECT_THAT(printed(), HasSubstr("Uploading effect #2 (Spring) ... Error: Invalid argument"));
   ASSERT_EQ(ball_->played().size(), 4U) << ball_->text();
   for (const PlayedEffect& one : ball_->played()) EXPECT_EQ(one.ended, "stopped") << ball_->text();
   print("fftest");
@@ -115,11 +115,11 @@ TEST_F(GamepadPrograms, SdlTesthaptic) {
                                   {"Constant Force", "effect.play", azimuth(200)},
                                   {"Ramp", "effect.play", azimuth(225 - 180)},
                                   {"Left/Right", "effect.vibrate", kDown}};
-  ASSERT_EQ(ball_->played().size(), all.size()) << said();
+  ASSERT_EQ(ball_->played().size(), all.size()) << printed();
   EXPECT_EQ(plays(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const PlayedEffect& one = effect(i);
-    EXPECT_THAT(said(), HasSubstr("effect " + std::to_string(i) + ": " + all[i].text));
+    EXPECT_THAT(printed(), HasSubstr("effect " + std::to_string(i) + ": " + all[i].text));
     EXPECT_EQ(one.method, all[i].method) << i;
     // The ramp goes from a negative force to an equal positive one: its peak may be on either side.
     const bool is_ramp = all[i].text == "Ramp";
@@ -133,7 +133,7 @@ TEST_F(GamepadPrograms, SdlTestrumble) {
   start({kSdlTests + "testrumble"});
   wait();
   print("testrumble");
-  ASSERT_GE(ball_->played().size(), 2U) << said();
+  ASSERT_GE(ball_->played().size(), 2U) << printed();
   EXPECT_GE(plays(), ball_->played().size());
   for (const PlayedEffect& one : ball_->played()) {
     EXPECT_EQ(one.method, "effect.vibrate");
@@ -143,12 +143,13 @@ TEST_F(GamepadPrograms, SdlTestrumble) {
 
 TEST_F(GamepadPrograms, Pygame) {
   start({"/usr/bin/python3", source_folder() + "/tests/vm/pygame_pad.py"});
-  EXPECT_TRUE(ball_->until_pushed(kDown, 8)) << said();
-  EXPECT_TRUE(ball_->until_ended(1)) << said();
+  EXPECT_TRUE(ball_->until_pushed(kDown, 8)) << printed();
+  EXPECT_TRUE(ball_->until_ended(1)) << printed();
   turn(model::axis_angle(kFront, 60));
   wait();
-  EXPECT_THAT(said(), HasSubstr(std::string(kGamepadName) + " axes 2 buttons 11\nrumble True\n"));
-  EXPECT_THAT(said(), HasSubstr("tilted, rumble True"));
+  EXPECT_THAT(printed(),
+              HasSubstr(std::string(kGamepadName) + " axes 2 buttons 11\nrumble True\n"));
+  EXPECT_THAT(printed(), HasSubstr("tilted, rumble True"));
   print("python3-pygame");
   EXPECT_GE(plays(), 2U);
 }

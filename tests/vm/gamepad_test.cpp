@@ -55,7 +55,7 @@ class GamepadNode : public GamepadBench {
   std::optional<EventNode> game_;
 };
 
-TEST_F(GamepadNode, HasWhatGamesLookFor) {
+TEST_F(GamepadNode, HasTheCapabilitiesThatGamesExpect) {
   for (const int type : {EV_KEY, EV_ABS, EV_FF}) EXPECT_TRUE(game_->has(0, type)) << type;
   EXPECT_TRUE(game_->has(EV_KEY, BTN_GAMEPAD));
   for (const int one : {FF_RUMBLE, FF_CONSTANT, FF_PERIODIC, FF_RAMP, FF_GAIN, FF_SQUARE,
@@ -110,7 +110,7 @@ TEST_F(GamepadNode, AForcePushesTheSideItComesFromAndAnUpdateMovesIt) {
   print("forces from four sides, updated while they play");
 }
 
-TEST_F(GamepadNode, TheGainWeakensWhatPlays) {
+TEST_F(GamepadNode, TheGainReducesPlayingEffects) {
   ff_effect effect = constant(0x4000, kFull);
   ASSERT_EQ(game_->upload(effect), 0);
   game_->play(effect.id);
@@ -150,15 +150,15 @@ TEST_F(GamepadNode, ErasingEndsAnEffectAndFreesItsPlace) {
   EXPECT_EQ(game_->upload(more), 0);
 }
 
-TEST_F(GamepadNode, ClosingTheHandleEndsWhatThatGameHasStarted) {
+TEST_F(GamepadNode, ClosingTheHandleEndsTheEffectsOfThatGame) {
   EventNode other(node());
-  ff_effect theirs = constant(0x0000, kFull);
-  ASSERT_EQ(other.upload(theirs), 0);
-  other.play(theirs.id);
+  ff_effect other_effect = constant(0x0000, kFull);
+  ASSERT_EQ(other.upload(other_effect), 0);
+  other.play(other_effect.id);
   ASSERT_TRUE(ball_->until_pushed(kFront, 10));
-  ff_effect ours = constant(0x4000, kFull);
-  ASSERT_EQ(game_->upload(ours), 0);
-  game_->play(ours.id);
+  ff_effect own_effect = constant(0x4000, kFull);
+  ASSERT_EQ(game_->upload(own_effect), 0);
+  game_->play(own_effect.id);
   ASSERT_TRUE(ball_->until([&] { return dot(ball_->side(), kRight) > 0.5; })) << "the two add";
   game_->close();
   EXPECT_TRUE(ball_->until_pushed(kFront, 10)) << "what the other game has goes on";
@@ -209,7 +209,7 @@ TEST_F(GamepadNode, ASpringIsRefused) {
   EXPECT_EQ(game_->upload(spring), EINVAL);
 }
 
-TEST_F(GamepadNode, GoesWithItsProgramAndTheBallIsStill) {
+TEST_F(GamepadNode, DisappearsWithItsProgramAndTheBallIsStill) {
   ff_effect effect = constant(0x4000, kFull);
   ASSERT_EQ(game_->upload(effect), 0);
   game_->play(effect.id);

@@ -11,7 +11,7 @@
 # HEDGEHOG_VM_QEMU: more options for qemu. README.md explains how it works.
 set -euo pipefail
 
-say() { echo "run.sh: $*" >&2; }
+log_error() { echo "run.sh: $*" >&2; }
 
 limit=300 writable='' verbose=0 systemd=''
 while getopts t:w:sv option; do
@@ -24,12 +24,12 @@ while getopts t:w:sv option; do
   esac
 done
 shift $((OPTIND - 1))
-[ $# -gt 0 ] || { say "no command"; exit 64; }
+[ $# -gt 0 ] || { log_error "no command"; exit 64; }
 
 here=$(realpath "$(dirname -- "${BASH_SOURCE[0]}")")
 PATH=$PATH:/usr/sbin:/sbin
 for tool in qemu-system-x86_64 busybox cpio modprobe depmod xz; do
-  command -v "$tool" >/dev/null || { say "there is no $tool (cmake/bootstrap.sh vm)"; exit 69; }
+  command -v "$tool" >/dev/null || { log_error "there is no $tool (cmake/bootstrap.sh vm)"; exit 69; }
 done
 kernel=$("$here/kernel.sh") || exit 69
 version=$(ls "$kernel/lib/modules")
@@ -88,10 +88,10 @@ timeout --foreground -k 5 "$limit" "${machine[@]}" "${more[@]}" </dev/null || st
 if [ -s "$talk/exit" ]; then
   result=$(<"$talk/exit")
 elif [ "$status" = 124 ] || [ "$status" = 137 ]; then
-  say "out of time after $limit s"
+  log_error "out of time after $limit s"
   result=124 verbose=1
 else
-  say "the guest ended without a result (qemu: $status); its console:"
+  log_error "the guest ended without a result (qemu: $status); its console:"
   result=70 verbose=1
 fi
 [ "$verbose" = 0 ] || tail -n 200 "$work/console" >&2 || true

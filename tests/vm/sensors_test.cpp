@@ -84,7 +84,7 @@ class Sensors : public Bench {
   }
 };
 
-TEST_F(Sensors, AnMtiIsConfiguredAndFollowed) {
+TEST_F(Sensors, AnMtiIsConfiguredAndRead) {
   expect_followed("mti", "mti");
   EXPECT_EQ(emulator_->status("mti")["running"], true);
 }
@@ -94,7 +94,7 @@ TEST_F(Sensors, ADualSenseIsReadBesideItsKernelDriver) {
   EXPECT_EQ(hid(":054C:0CE6.").driver, "playstation") << "a pad stays a pad";
 }
 
-TEST_F(Sensors, AHidSensorIsTakenFromTheKernelsHubAndGivenBack) {
+TEST_F(Sensors, AHidSensorIsDetachedFromTheKernelsHubAndReturned) {
   emulator_->ok("plug hid-sensor");
   ASSERT_TRUE(eventually([] { return hid(":1209:0002.").driver == "hid-sensor-hub"; }));
   figure("hid-sensor-hub leaves a hidraw node (1: yes)", hid(":1209:0002.").hidraw ? 1 : 0, "");
@@ -113,9 +113,9 @@ TEST_F(Sensors, ATemperStickIsASecondThermometer) {
   emulator_->ok("plug board");
   Daemon daemon(home_);
   EXPECT_TRUE(eventually([&] {
-    const Json told = daemon.status()["temperature_c"];
-    return told.contains("thermometer") &&
-           told["thermometer"].dump().find("31.5") != std::string::npos;
+    const Json temperature = daemon.status()["temperature_c"];
+    return temperature.contains("thermometer") &&
+           temperature["thermometer"].dump().find("31.5") != std::string::npos;
   })) << daemon.status()
       << daemon.log();
 }

@@ -24,7 +24,7 @@ export function launch(names = []) {
 }
 
 /** Errors on the pages of a test: uncaught errors always, the browser's console errors unless they are expected. */
-export class Complaints {
+export class PageErrors {
   errors = [];
   /** For a test that kills the page's server, or has its requests rejected. */
   expected = false;

@@ -59,9 +59,9 @@ export class Daemon {
       socket.on("data", (bytes) => {
         text += bytes;
         if (!text.includes("\n")) return;
-        const answer = JSON.parse(text);
+        const response = JSON.parse(text);
         socket.end();
-        resolve(answer.result ?? answer.error);
+        resolve(response.result ?? response.error);
       });
     });
   }

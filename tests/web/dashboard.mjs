@@ -4,13 +4,13 @@ import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach } from "node:test";
 
 import { Address } from "./address.mjs";
-import { Complaints, kDesktop, launch } from "./browser.mjs";
+import { PageErrors, kDesktop, launch } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
-import { kPatience } from "./patience.mjs";
+import { kTimeout } from "./timeouts.mjs";
 
 export let daemon;
 export let page;
-export const complaints = new Complaints();
+export const pageErrors = new PageErrors();
 let address = null;
 let browser;
 
@@ -22,7 +22,7 @@ afterEach(async () => {
   await daemon.end();
   await address?.end();
   address = null;
-  assert.deepEqual(complaints.take(), []);
+  assert.deepEqual(pageErrors.take(), []);
 });
 
 export async function startDaemon(options) {
@@ -39,12 +39,12 @@ export async function keepAddress() {
 /** `prepare(page)` is called before anything is loaded. */
 export async function open(path = "/", device = kDesktop, prepare = () => {}) {
   page = await (await browser.newContext(device)).newPage();
-  page.setDefaultTimeout(kPatience.timeout);
-  complaints.watch(page);
+  page.setDefaultTimeout(kTimeout.timeout);
+  pageErrors.watch(page);
   await prepare(page);
   await page.goto((address ?? daemon).url + path);
-  await page.waitForSelector("body[data-link=open][data-state=armed]", kPatience);
-  await page.waitForFunction(() => window.dashboard.ball.pins.length === 86, null, kPatience);
+  await page.waitForSelector("body[data-link=open][data-state=armed]", kTimeout);
+  await page.waitForFunction(() => window.dashboard.ball.pins.length === 86, null, kTimeout);
 }
 
-export const until = (look, argument) => page.waitForFunction(look, argument, kPatience);
+export const until = (condition, argument) => page.waitForFunction(condition, argument, kTimeout);

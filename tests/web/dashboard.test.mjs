@@ -5,8 +5,8 @@ import { createServer } from "node:http";
 import { test } from "node:test";
 
 import { kAxe, kDesktop, kPhone } from "./browser.mjs";
-import { complaints, daemon, keepAddress, open, page, startDaemon, until } from "./dashboard.mjs";
-import { kPatience } from "./patience.mjs";
+import { pageErrors, daemon, keepAddress, open, page, startDaemon, until } from "./dashboard.mjs";
+import { kTimeout } from "./timeouts.mjs";
 
 /** The number of colours on the canvas. */
 const coloursDrawn = () => page.evaluate(() => {
@@ -19,7 +19,7 @@ const coloursDrawn = () => page.evaluate(() => {
   return new Set(pixels).size;
 });
 
-test("a connection that drops right after it was greeted is no error of the page, which comes back", async () => {
+test("a connection that drops right after hello is no error of the page, which reconnects", async () => {
   for (const path of ["/", "/orientation.html"]) {
     await page?.context().close();
     let connections = 0;
@@ -70,10 +70,10 @@ test("keys play, and the kinds of effect have their own sliders", async () => {
   await page.getByText("Circle").click();
   await page.locator("#duration").fill("5");
   await page.keyboard.press("Escape"); // stop must work while a slider has the focus, too
-  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await page.waitForSelector("body[data-state=disarmed]", kTimeout);
 });
 
-test("effects and who plays them are listed", async () => {
+test("effects and their clients are listed", async () => {
   await open();
   await page.getByText("Circle").click();
   await page.locator("#duration").fill("10");
@@ -103,17 +103,17 @@ test("a pattern is chosen, played towards a side, and listed among what happened
   await until(() => /play of dashboard: completed, 8\d\d ms/.test(document.getElementById("happened").textContent));
 });
 
-test("no game pushes a trip out of what happened, and no event that says little breaks the list", async () => {
+test("effects do not displace a trip from the list, and incomplete events do not break it", async () => {
   await open();
   await page.selectOption("[name=fault]", "sensor_open");
-  await page.waitForSelector("body[data-state=tripped]", kPatience);
+  await page.waitForSelector("body[data-state=tripped]", kTimeout);
   await page.evaluate(() => {
-    const tell = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
-    for (let i = 1; i <= 30; ++i) tell({ type: "effect_ended", time_ns: i, effect: i, reason: "completed" });
-    for (let i = 1; i <= 30; ++i) tell({ type: "overrun", time_ns: i });
-    tell({ type: "derating_started", time_ns: 1 });
-    tell({ type: "effect_ended", time_ns: 31, effect: 31 });
-    tell({ type: "state_changed", time_ns: 1, state: "levitating", reason: 7 });
+    const dispatch = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
+    for (let i = 1; i <= 30; ++i) dispatch({ type: "effect_ended", time_ns: i, effect: i, reason: "completed" });
+    for (let i = 1; i <= 30; ++i) dispatch({ type: "overrun", time_ns: i });
+    dispatch({ type: "derating_started", time_ns: 1 });
+    dispatch({ type: "effect_ended", time_ns: 31, effect: 31 });
+    dispatch({ type: "state_changed", time_ns: 1, state: "levitating", reason: 7 });
   });
   const shown = () => document.getElementById("happened").textContent;
   await until(() => /levitating · 7/.test(document.getElementById("happened").textContent));
@@ -122,10 +122,10 @@ test("no game pushes a trip out of what happened, and no event that says little 
   assert.ok(await page.locator("#happened li").count() <= 16);
 });
 
-test("a fault of the simulated ball is shown in words, and mended", async () => {
+test("a fault of the simulated ball is shown in words, and cleared", async () => {
   await open();
   await page.selectOption("[name=fault]", "sensor_open");
-  await page.waitForSelector("body[data-state=tripped]", kPatience);
+  await page.waitForSelector("body[data-state=tripped]", kTimeout);
   assert.match(await page.textContent(".state"), /The coil thermometer's wire is open\..*Check the coil thermometer's plug/s);
   await page.selectOption("[name=fault]", "");
   await until(async () => {
@@ -134,34 +134,34 @@ test("a fault of the simulated ball is shown in words, and mended", async () => 
   });
 });
 
-test("turning the simulated ball turns what the daemon knows", async () => {
+test("turning the simulated ball turns the daemon's orientation", async () => {
   await open();
   for (let i = 0; i < 3; ++i) await page.getByRole("button", { name: "turn left" }).click();
   let turned = { z: 0 };
-  const patience = Date.now() + kPatience.timeout;
-  while (Math.abs(turned.z) < 0.3 && Date.now() < patience) turned = (await daemon.call("device.status")).orientation.quaternion;
+  const deadline = Date.now() + kTimeout.timeout;
+  while (Math.abs(turned.z) < 0.3 && Date.now() < deadline) turned = (await daemon.call("device.status")).orientation.quaternion;
   assert.ok(Math.abs(Math.abs(turned.z) - Math.sin(Math.PI / 8)) < 0.01, JSON.stringify(turned));
 });
 
-test("a daemon that goes is said each way, and the page comes back by itself", async () => {
+test("the end of a daemon is reported with its reason, and the page reconnects", async () => {
   await keepAddress();
   await open();
-  complaints.expected = true;
+  pageErrors.expected = true;
   await daemon.end("SIGKILL");
-  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.waitForSelector("body[data-link=gone]", kTimeout);
   assert.match(await page.textContent("#gone"), /The daemon is gone; the board has switched the coils off/);
   await startDaemon();
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
   assert.match(await page.textContent("#gone"), /The daemon is back/);
   await until(() => document.getElementById("gone").hidden);
   await daemon.end("SIGTERM");
   await until(() => /The daemon is gone \(stop\)/.test(document.getElementById("gone").textContent));
   await startDaemon();
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
   daemon.process.kill("SIGSTOP");
-  await page.waitForSelector("body[data-link=silent]", kPatience);
+  await page.waitForSelector("body[data-link=silent]", kTimeout);
   daemon.process.kill("SIGCONT");
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
 });
 
 test("axe finds no serious fault, on a desk and on a phone", async () => {
@@ -178,10 +178,10 @@ test("axe finds no serious fault, on a desk and on a phone", async () => {
   }
 });
 
-test("a page of another origin, and one under another name, get nothing", async () => {
+test("a page of another origin, and one under another name, are refused", async () => {
   await open();
   const { port } = daemon;
-  complaints.expected = true;
+  pageErrors.expected = true;
   const refused = (url) => page.evaluate((to) => new Promise((resolve) => {
     const socket = new WebSocket(to);
     socket.onopen = () => { socket.close(); resolve(false); };
@@ -189,13 +189,13 @@ test("a page of another origin, and one under another name, get nothing", async 
   }), url);
   assert.equal(await refused(`ws://127.0.0.1:${port}/ws`), false);
   // A page of another origin, without a policy.
-  const other = createServer((_, answer) => answer.setHeader("content-type", "text/html").end("<p>game</p>"));
+  const other = createServer((_, response) => response.setHeader("content-type", "text/html").end("<p>game</p>"));
   await new Promise((resolve) => other.listen(0, "127.0.0.1", resolve));
   await page.goto(`http://127.0.0.1:${other.address().port}/`);
   assert.equal(await refused(`ws://127.0.0.1:${port}/ws`), true);
   assert.equal(await refused(`ws://rebound.example:${port}/ws`), true);
-  const answer = await page.goto(`http://rebound.example:${port}/`);
-  assert.equal(answer.status(), 421);
+  const response = await page.goto(`http://rebound.example:${port}/`);
+  assert.equal(response.status(), 421);
   other.closeAllConnections();
   other.close();
 });

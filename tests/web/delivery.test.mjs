@@ -13,10 +13,10 @@ import { Racer } from "./racer.mjs";
 
 /** The raw response, without decompression. */
 const get = (url, headers = {}) => new Promise((resolve, reject) => {
-  http.get(url, { headers }, (answer) => {
+  http.get(url, { headers }, (response) => {
     const parts = [];
-    answer.on("data", (part) => parts.push(part));
-    answer.on("end", () => resolve({ status: answer.statusCode, headers: answer.headers, body: Buffer.concat(parts) }));
+    response.on("data", (part) => parts.push(part));
+    response.on("end", () => resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(parts) }));
   }).on("error", reject);
 });
 
@@ -45,9 +45,9 @@ async function checkDelivery(url) {
 test("the dashboard is sent packed, and what never changes is kept", async () => {
   const script = await checkDelivery(daemon.url);
   const [chunk] = /chunk-[0-9A-Z]{8}\.js/.exec(script);
-  const answer = await get(`${daemon.url}/${chunk}`, { "accept-encoding": "gzip" });
-  assert.equal(answer.headers["cache-control"], "public, max-age=31536000, immutable");
-  assert.equal(answer.headers["content-encoding"], "gzip");
+  const response = await get(`${daemon.url}/${chunk}`, { "accept-encoding": "gzip" });
+  assert.equal(response.headers["cache-control"], "public, max-age=31536000, immutable");
+  assert.equal(response.headers["content-encoding"], "gzip");
 });
 
 /** Compressed size of a page and all that it loads. */

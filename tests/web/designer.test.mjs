@@ -7,7 +7,7 @@ import { test } from "node:test";
 
 import { kPhone } from "./browser.mjs";
 import { daemon, open, page, until } from "./dashboard.mjs";
-import { comes } from "./patience.mjs";
+import { eventually } from "./timeouts.mjs";
 
 const frames = () => page.evaluate(() => window.dashboard.frames());
 const at = (ms) => page.locator("[name=time]").fill(String(ms));
@@ -28,7 +28,7 @@ test("clicks on the ball become key frames, which are forecast and played", asyn
   assert.match(await page.textContent("#forecast"), /^at most 5\.0 A, /);
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await until(() => /^plays with 5\.0 A/.test(document.getElementById("said").textContent));
-  await comes(async () => await daemon.ended("completed") > 0);
+  await eventually(async () => await daemon.ended("completed") > 0);
 });
 
 const chosen = () => page.locator("#frames tr[aria-current]").evaluateAll((rows) => rows.map((row) => row.rowIndex));
@@ -128,7 +128,7 @@ test("a key frame behind the ball is not taken through it, and a drag beside all
   assert.equal((await frames()).length, 4);
 });
 
-test("what is kept in the daemon is a pattern of it, and what the daemon refuses says why", async () => {
+test("a pattern saved in the daemon is listed there, and a refusal has its reason", async () => {
   await threeFrames();
   await page.locator("[name=name]").fill("acme/wave");
   await page.getByRole("button", { name: "Keep in the daemon" }).click();
@@ -146,7 +146,7 @@ test("what is kept in the daemon is a pattern of it, and what the daemon refuses
   await until(() => document.getElementById("said").textContent === "There is nothing to keep yet.");
 });
 
-test("what is saved is a pattern that the daemon takes and this page loads", async () => {
+test("a saved file is accepted by the daemon and loaded by this page", async () => {
   await open("/designer.html");
   await page.getByRole("button", { name: "Add key frame" }).click();
   await at(1500);

@@ -4,11 +4,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { complaints, daemon, open, page, until } from "./dashboard.mjs";
-import { comes } from "./patience.mjs";
+import { pageErrors, daemon, open, page, until } from "./dashboard.mjs";
+import { eventually } from "./timeouts.mjs";
 
 const frames = () => page.evaluate(() => window.dashboard.frames());
-const said = (text) => until((wanted) => document.getElementById("said").textContent.startsWith(wanted), text);
+const awaitMessage = (text) => until((expected) => document.getElementById("said").textContent.startsWith(expected), text);
 const felt = async () => (await daemon.call("device.status")).effects.some(({ slot }) => slot === "drag");
 const rests = async () => (await daemon.call("device.status")).effects.length === 0;
 /** Moves the pointer to a position from the left (0) to the right (1) of the ball. */
@@ -20,7 +20,7 @@ async function begin() {
   await page.getByRole("button", { name: "Record a drag" }).click();
   await to(0);
   await page.mouse.down();
-  await comes(felt);
+  await eventually(felt);
 }
 const recording = () => page.locator("#record").getAttribute("aria-pressed");
 
@@ -32,22 +32,22 @@ test("a drag on the ball is felt meanwhile and becomes key frames", async () => 
   await until(() => window.dashboard.frames().length >= 2);
   const drawn = await frames();
   assert.ok(drawn[0].direction[1] > drawn.at(-1).direction[1] + 0.2, "from the left to the right");
-  await comes(rests);
+  await eventually(rests);
 });
 
-test("a press without a movement records nothing and keeps what there was", async () => {
+test("a press without a movement records nothing and changes nothing", async () => {
   await open("/designer.html");
   await page.getByRole("button", { name: "Add key frame" }).click();
   const before = await frames();
   await begin();
   await page.mouse.up();
-  await said("Nothing was recorded: the pointer did not move on the ball.");
+  await awaitMessage("Nothing was recorded: the pointer did not move on the ball.");
   assert.deepEqual(await frames(), before);
   assert.equal(await recording(), "false");
-  await comes(rests);
+  await eventually(rests);
 });
 
-test("a drag that leaves the ball goes on where it comes back", async () => {
+test("a drag that leaves the ball continues where it returns", async () => {
   await open("/designer.html");
   await begin();
   await to(0.3);
@@ -72,17 +72,17 @@ test("a drag that is too long ends by itself after ten seconds", async () => {
   await until(() => document.getElementById("record").getAttribute("aria-pressed") === "false");
   const drawn = await frames();
   assert.ok(drawn.length >= 2 && drawn.at(-1).t <= 10_000);
-  await comes(rests);
+  await eventually(rests);
   await to(1);
   await page.mouse.up();
   assert.deepEqual(await frames(), drawn, "what follows is no part of it");
 });
 
-test("a daemon that goes in the middle of a drag does not take what was drawn with it", async () => {
+test("the end of a daemon during a drag keeps the drawn part", async () => {
   await open("/designer.html");
   await begin();
   for (let i = 1; i <= 10; ++i) await to(i / 20);
-  complaints.expected = true;
+  pageErrors.expected = true;
   await daemon.end("SIGKILL");
   await until(() => document.body.dataset.link !== "open");
   for (let i = 11; i <= 20; ++i) await to(i / 20);

@@ -7,12 +7,12 @@ import { join } from "node:path";
 import { test } from "node:test";
 
 import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
-import { comes, kPatience } from "./patience.mjs";
+import { eventually, kTimeout } from "./timeouts.mjs";
 
 /** Plays 5 A for two seconds, waits until the daemon has stored them, and another second. */
 const play = async () => {
   await daemon.call("effect.pulse", { direction: "left", current_a: 5, duration_ms: 2000, on_close: "finish" });
-  await comes(async () => (await daemon.call("telemetry.history", { seconds: 60 })).samples?.some(({ current_a: a, age_s: age }) => a > 3 && age > 0.5));
+  await eventually(async () => (await daemon.call("telemetry.history", { seconds: 60 })).samples?.some(({ current_a: a, age_s: age }) => a > 3 && age > 0.5));
 };
 /** The maximum current in the chart before `opened`, device time in seconds; 0: none. */
 const strongestBefore = async (opened) => {
@@ -24,7 +24,7 @@ const strongestBefore = async (opened) => {
 };
 const now = async () => (await daemon.call("ping")).time_ns * 1e-9;
 
-test("a chart shows what flowed before the page was opened", async () => {
+test("a chart shows the currents before the page was opened", async () => {
   await play();
   for (const load of [open, () => page.reload()]) {
     const opened = await now();
@@ -33,7 +33,7 @@ test("a chart shows what flowed before the page was opened", async () => {
   }
 });
 
-test("a chart shows what flowed before the daemon was started again", async () => {
+test("a chart shows the currents before a restart of the daemon", async () => {
   await play();
   const { home } = daemon;
   await daemon.end("SIGTERM", { keep: true });
@@ -43,7 +43,7 @@ test("a chart shows what flowed before the daemon was started again", async () =
   assert.ok(await strongestBefore(opened) > 4);
 });
 
-test("the charts show as far back as is chosen, or what is dragged over", async () => {
+test("the charts show the chosen time, or the range that is dragged over", async () => {
   await open();
   await until(() => window.dashboard.charts?.()?.time.now > 0);
   const shown = () => page.evaluate(() => {
@@ -84,20 +84,20 @@ test("the gain is shown and set", async () => {
   await open();
   await until(() => document.querySelector("output[for=gain]").value === "80 %");
   await page.locator("#gain").fill("0.5");
-  await comes(async () => (await daemon.call("device.describe")).gain === 0.5);
+  await eventually(async () => (await daemon.call("device.describe")).gain === 0.5);
   await until(() => /50 % of its strength/.test(document.getElementById("said").textContent));
 });
 
-test("the recording of a trip is kept by a click", async () => {
+test("the recording of a trip is saved by a click", async () => {
   await open();
   await page.selectOption("[name=fault]", "sensor_open");
-  await page.waitForSelector("body[data-state=tripped]", kPatience);
+  await page.waitForSelector("body[data-state=tripped]", kTimeout);
   const link = page.locator("#happened a");
-  await link.first().waitFor(kPatience);
+  await link.first().waitFor(kTimeout);
   assert.equal(await link.count(), 1);
   const [download] = await Promise.all([page.waitForEvent("download"), link.click()]);
   assert.equal(download.suggestedFilename(), "trip-0001.hhr");
-  const kept = readFileSync(await download.path());
+  const downloaded = readFileSync(await download.path());
   const recorded = readFileSync(join(daemon.home, "state/hedgehog/trip-0001.hhr"));
-  assert.ok(kept.length > 1000 && kept.equals(recorded), `${kept.length} of ${recorded.length} bytes`);
+  assert.ok(downloaded.length > 1000 && downloaded.equals(recorded), `${downloaded.length} of ${recorded.length} bytes`);
 });

@@ -17,7 +17,7 @@ test("key frames stay in order, and one replaces that of its time", () => {
   assert.equal(frames.length(), 500);
 });
 
-test("between two key frames it goes along the great circle, as their ease says; beyond them it rests", () => {
+test("between two key frames it goes along the great circle, with their ease; beyond them it rests", () => {
   const frames = new Keyframes();
   frames.put({ t: 100, direction: [1, 0, 0], level: 0 });
   frames.put({ t: 300, direction: [0, 1, 0], level: 1 });
@@ -35,7 +35,7 @@ test("angles are those of the protocol", () => {
   assert.ok(off(vector(90, 0), [0, 1, 0]) < 1e-4);
 });
 
-test("what was written is read again, and other directions of the protocol too", () => {
+test("a written file is read back, and other directions of the protocol too", () => {
   const read = Keyframes.read(JSON.stringify({ keyframes: [{ t_ms: 0, level: 1, direction: "left" },
     { t_ms: 100, level: 0.5 }, { t_ms: 100, level: 0 }, { t_ms: 200, level: 1, direction: { azimuth_deg: -90 } },
     { t_ms: 300, level: 0, direction: { pin: 7 } }] }), [{ number: 7, direction: [0, 0, 1] }]);
@@ -46,8 +46,8 @@ test("what was written is read again, and other directions of the protocol too",
   assert.deepEqual(Keyframes.read(JSON.stringify({ keyframes: read.wire() })).wire(), read.wire());
 });
 
-test("a file that is no pattern is refused with what is wrong", () => {
-  const why = (value) => {
+test("a file that is no pattern is refused with the reason", () => {
+  const errorOf = (value) => {
     try {
       Keyframes.read(typeof value === "string" ? value : JSON.stringify(value));
       return "nothing";
@@ -55,12 +55,12 @@ test("a file that is no pattern is refused with what is wrong", () => {
       return message;
     }
   };
-  assert.equal(why("{"), "this file is no JSON");
-  assert.equal(why({}), "this file has no keyframes");
-  assert.equal(why({ keyframes: [{ t_ms: 5, level: 0 }, { t_ms: 1, level: 0 }] }), "its times are not in order");
-  assert.equal(why({ keyframes: [{ t_ms: 0, level: 2 }] }), "one of its levels is not 0 to 1");
-  assert.equal(why({ keyframes: [{ t_ms: 11_000, level: 1 }] }), "it is longer than the 10 s of this page");
-  assert.equal(why({ keyframes: [{ t_ms: 0, level: 1, direction: "there" }] }), "one of its directions is none");
+  assert.equal(errorOf("{"), "this file is no JSON");
+  assert.equal(errorOf({}), "this file has no keyframes");
+  assert.equal(errorOf({ keyframes: [{ t_ms: 5, level: 0 }, { t_ms: 1, level: 0 }] }), "its times are not in order");
+  assert.equal(errorOf({ keyframes: [{ t_ms: 0, level: 2 }] }), "one of its levels is not 0 to 1");
+  assert.equal(errorOf({ keyframes: [{ t_ms: 11_000, level: 1 }] }), "it is longer than the 10 s of this page");
+  assert.equal(errorOf({ keyframes: [{ t_ms: 0, level: 1, direction: "there" }] }), "one of its directions is none");
 });
 
 test("a drag becomes few key frames that are off by at most the tolerance", () => {

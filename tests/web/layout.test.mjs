@@ -5,8 +5,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop, kPhone } from "./browser.mjs";
-import { complaints, daemon, open, page, startDaemon, until } from "./dashboard.mjs";
-import { kPatience } from "./patience.mjs";
+import { pageErrors, daemon, open, page, startDaemon, until } from "./dashboard.mjs";
+import { kTimeout } from "./timeouts.mjs";
 
 const kSmallPhone = { ...kPhone, viewport: { width: 360, height: 640 } };
 const kWidths = [320, 360, 390, 768, 899, 900, 1000, 1100, 1270, 1280, 1600];
@@ -53,7 +53,7 @@ for (const [name, device] of [["a phone", kPhone], ["a small phone", kSmallPhone
     await open("/", device);
     for (const what of ["#state", "#hottest", "#stop"]) assert.ok(await onScreen(what), what);
     await daemon.call("device.emergency_stop");
-    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await page.waitForSelector("body[data-state=disarmed]", kTimeout);
     for (const what of ["#state", "#remedy", "#hottest", "#stop", "#arm"]) assert.ok(await onScreen(what), what);
   });
 }
@@ -66,7 +66,7 @@ const places = () => page.evaluate(() => Object.fromEntries(
   })));
 
 for (const [name, device] of [["a desk", kDesktop], ["a narrow desk", { viewport: { width: 1000, height: 800 } }], ["a phone", kPhone], ["a small phone", kSmallPhone]]) {
-  test(`stop moves nothing under a finger on ${name}, and neither does an answer`, async () => {
+  test(`stop moves no control on ${name}, and neither does an answer`, async () => {
     await open("/", device);
     const before = await places();
     await page.locator("[data-direction=left]").click();
@@ -75,18 +75,18 @@ for (const [name, device] of [["a desk", kDesktop], ["a narrow desk", { viewport
     await page.evaluate(() => scrollTo(0, 0));
     assert.deepEqual(await places(), before, `after an answer (scrolled by ${scrolled})`);
     await page.getByRole("button", { name: "Stop", exact: true }).click();
-    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await page.waitForSelector("body[data-state=disarmed]", kTimeout);
     await until(() => /^coils off/i.test(document.getElementById("said").textContent));
     assert.deepEqual(await places(), before, "after stop");
   });
 }
 
-test("a daemon that goes moves nothing under a finger", async () => {
+test("the end of a daemon moves no control", async () => {
   await open("/", kPhone);
   const before = await places();
-  complaints.expected = true;
+  pageErrors.expected = true;
   await daemon.end("SIGKILL");
-  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.waitForSelector("body[data-link=gone]", kTimeout);
   assert.deepEqual(await places(), before);
 });
 
@@ -95,7 +95,7 @@ test("a ball that is not armed has its pad disabled, whatever is pressed", async
   const buttons = page.locator(".sides button");
   assert.equal(await buttons.first().isDisabled(), false);
   await daemon.call("device.emergency_stop");
-  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await page.waitForSelector("body[data-state=disarmed]", kTimeout);
   for (const button of await buttons.all()) assert.ok(await button.isDisabled());
   assert.ok(await page.locator("#strength").isDisabled());
   assert.equal(await page.textContent("#ask"), "Disarmed: arm the ball to play.");
@@ -107,13 +107,13 @@ test("a ball that is not armed has its pad disabled, whatever is pressed", async
 
 test("the pad is disabled while there is no daemon", async () => {
   await open();
-  complaints.expected = true;
+  pageErrors.expected = true;
   await daemon.end("SIGKILL");
-  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.waitForSelector("body[data-link=gone]", kTimeout);
   assert.ok(await page.locator("[data-direction=left]").isDisabled());
 });
 
-test("the buttons of a circle say that they choose an axis, and an answer leaves them alone", async () => {
+test("the buttons of a circle name an axis, and a response does not change them", async () => {
   await open();
   assert.equal(await page.textContent("#ask"), "Push towards");
   await page.getByText("Circle").click();
@@ -143,9 +143,9 @@ test("no sentence has the name of an error in it", async () => {
   assert.doesNotMatch(await page.textContent("#said"), /not_armed|-32/);
 });
 
-test("why less is played is said in words, and so is why a daemon turns the page away", async () => {
+test("the reason of a reduction is shown in words, and so is that of a refused page", async () => {
   let refuses = false;
-  complaints.expected = true;
+  pageErrors.expected = true;
   await open("/", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
     const server = socket.connectToServer();
     socket.onMessage((text) => {
@@ -164,26 +164,26 @@ test("why less is played is said in words, and so is why a daemon turns the page
   assert.match(await page.textContent("#gone"), /^The daemon is gone \(64 clients are connected\)/);
 });
 
-test("what recurs is one line, and pushes no news out", async () => {
+test("recurring events are one line, and displace no other", async () => {
   await open();
   await page.evaluate(() => {
-    const tell = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
-    tell({ type: "derating_started", time_ns: 1, limit_a: 9 });
-    for (let i = 1; i <= 40; ++i) tell({ type: "overrun", time_ns: i, skipped: 2 });
+    const dispatch = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
+    dispatch({ type: "derating_started", time_ns: 1, limit_a: 9 });
+    for (let i = 1; i <= 40; ++i) dispatch({ type: "overrun", time_ns: i, skipped: 2 });
   });
   await until(() => /80 ticks of the loop skipped, 40 times/.test(document.getElementById("happened").textContent));
   assert.match(await page.textContent("#happened"), /Derated: 9\.0 A allowed/);
   assert.equal(await page.locator("#happened li", { hasText: "of the loop" }).count(), 1);
 });
 
-test("a ball that is derated again and again pushes no emergency stop out", async () => {
+test("repeated derating displaces no emergency stop", async () => {
   await open();
   await page.evaluate(() => {
-    const tell = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
-    tell({ type: "state_changed", time_ns: 1, state: "disarmed", reason: "emergency_stop", client: "a phone" });
+    const dispatch = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
+    dispatch({ type: "state_changed", time_ns: 1, state: "disarmed", reason: "emergency_stop", client: "a phone" });
     for (let i = 1; i <= 10; ++i) {
-      tell({ type: "derating_started", time_ns: 2 * i, limit_a: 9 });
-      tell({ type: "derating_ended", time_ns: 2 * i + 1, limit_a: 15 });
+      dispatch({ type: "derating_started", time_ns: 2 * i, limit_a: 9 });
+      dispatch({ type: "derating_ended", time_ns: 2 * i + 1, limit_a: 15 });
     }
   });
   await until(() => /Full strength again: 15\.0 A allowed/.test(document.getElementById("happened").textContent));

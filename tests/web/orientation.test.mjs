@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { kDesktop, kPhone } from "./browser.mjs";
 import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
-import { comes } from "./patience.mjs";
+import { eventually } from "./timeouts.mjs";
 
 test("the orientation page keeps the push on top while the ball turns", async () => {
   await open("/orientation.html");
@@ -30,7 +30,7 @@ const showUp = async () => {
 /** Polls the daemon, which has no event for this. */
 const shows = () => daemon.call("device.status").then(({ effects }) => effects.some(({ slot }) => slot === "up"));
 
-test("a push that somebody ends is not shown as going on, and why it ended is said", async () => {
+test("a push that another client ends is shown as ended with its reason", async () => {
   await open("/orientation.html");
   await showUp();
   await daemon.call("device.emergency_stop");
@@ -43,36 +43,36 @@ test("a push that somebody ends is not shown as going on, and why it ended is sa
   assert.match(await page.textContent("#said"), /^The coils are off; up is no longer shown/);
 });
 
-test("a page that was held up for longer than its lease shows up again", async () => {
+test("a page that was suspended for longer than its lease shows up again", async () => {
   await open("/orientation.html");
   await showUp();
   await page.evaluate(() => {
     const { link } = window.dashboard;
-    link.tells = link.tell;
-    link.tell = () => {};
+    link.notifyBefore = link.notify;
+    link.notify = () => {};
   });
-  await comes(async () => await daemon.ended("expired") > 0);
-  await page.evaluate(() => { window.dashboard.link.tell = window.dashboard.link.tells; });
-  await comes(shows);
+  await eventually(async () => await daemon.ended("expired") > 0);
+  await page.evaluate(() => { window.dashboard.link.notify = window.dashboard.link.notifyBefore; });
+  await eventually(shows);
   await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
   assert.equal(await page.getAttribute("#indicate", "aria-pressed"), "true");
 });
 
-test("a push that ended because nobody knew which way is up comes back with the orientation", async () => {
+test("a push that ended for lack of orientation resumes with it", async () => {
   await daemon.end();
   await startDaemon({ config: { imu: { type: "external" } } });
   await open("/orientation.html");
   const feed = () => page.evaluate(() => {
     const { link } = window.dashboard;
-    window.feed = setInterval(() => link.tell("orientation.set", { quaternion: { w: 1, x: 0, y: 0, z: 0 } }), 20);
+    window.feed = setInterval(() => link.notify("orientation.set", { quaternion: { w: 1, x: 0, y: 0, z: 0 } }), 20);
   });
   await feed();
-  await comes(() => daemon.call("device.status").then(({ orientation }) => orientation));
+  await eventually(() => daemon.call("device.status").then(({ orientation }) => orientation));
   await showUp();
   // The lease must not expire first.
   await page.evaluate(() => window.dashboard.link.call("effect.update", { slot: "up", lease_ms: 10_000 }));
   await page.evaluate(() => clearInterval(window.feed));
-  await comes(async () => await daemon.ended("orientation_lost") > 0);
+  await eventually(async () => await daemon.ended("orientation_lost") > 0);
   await until(() => window.dashboard.ball.arrowDirection() === null);
   await feed();
   await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
@@ -99,14 +99,14 @@ const tiltPhone = async (beta) => {
 };
 const turnedBy = () => page.evaluate(() => 2 * Math.acos(Math.min(1, Math.abs(window.dashboard.ball.body.quaternion.w))));
 
-test("a phone whose turning the daemon takes turns the ball", async () => {
+test("a phone whose orientation the daemon accepts turns the ball", async () => {
   await open("/orientation.html");
   await tiltPhone(50);
   await until(() => document.getElementById("sensor").textContent === "The phone turns the ball.");
-  await comes(async () => Math.abs((await daemon.call("device.status")).orientation.up[2]) < 0.8);
+  await eventually(async () => Math.abs((await daemon.call("device.status")).orientation.up[2]) < 0.8);
 });
 
-test("a phone whose turning the daemon refuses is told why, and the ball is drawn as it is", async () => {
+test("a phone whose orientation the daemon refuses shows the reason, and the ball is drawn as it is", async () => {
   // The page receives "simulated": false; the daemon's ball is simulated, so it rejects the request.
   await open("/orientation.html", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
     const server = socket.connectToServer();
@@ -116,7 +116,7 @@ test("a phone whose turning the daemon refuses is told why, and the ball is draw
   await until(() => /^The sensor is simulated/.test(document.getElementById("sensor").textContent));
   assert.ok(await turnedBy() < 0.1);
   await daemon.call("sim.set", { orientation: { w: 0, x: 1, y: 0, z: 0 } });
-  await comes(async () => await turnedBy() > 3);
+  await eventually(async () => await turnedBy() > 3);
 });
 
 test("both arrows are in the picture to their tips, whichever way the ball is turned", async () => {
@@ -126,19 +126,19 @@ test("both arrows are in the picture to their tips, whichever way the ball is tu
     const outside = await page.evaluate(() => {
       const { ball } = window.dashboard;
       const found = [];
-      const look = (arrow, name) => {
+      const frameArrow = (arrow, name) => {
         const { tip, tipLength } = arrow.userData;
         ball.scene.updateMatrixWorld(true);
         const end = tip.localToWorld(ball.camera.position.clone().set(0, tipLength / 2, 0)).project(ball.camera);
         if (Math.max(Math.abs(end.x), Math.abs(end.y)) > 1) found.push(`${name}: ${end.x.toFixed(2)}, ${end.y.toFixed(2)}`);
       };
       ball.showUp();
-      look(ball.up, "up");
+      frameArrow(ball.up, "up");
       for (let azimuth = 0; azimuth < 360; azimuth += 15) {
         for (const height of [-0.8, -0.3, 0, 0.3, 0.8]) {
           const flat = Math.sqrt(1 - height * height);
           ball.setField([flat * Math.cos((azimuth * Math.PI) / 180), flat * Math.sin((azimuth * Math.PI) / 180), height], 1);
-          look(ball.arrow, `azimuth ${azimuth}, height ${height}`);
+          frameArrow(ball.arrow, `azimuth ${azimuth}, height ${height}`);
         }
       }
       return found;

@@ -4,14 +4,14 @@ import assert from "node:assert/strict";
 import { after, afterEach, before } from "node:test";
 
 import { Address } from "./address.mjs";
-import { Complaints, launch } from "./browser.mjs";
+import { PageErrors, launch } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
-import { kPatience } from "./patience.mjs";
+import { kTimeout } from "./timeouts.mjs";
 import { Racer } from "./racer.mjs";
 
 /** Rendered in software: a few pixels are enough to detect a picture. */
 export const kSmall = { viewport: { width: 640, height: 420 } };
-export const complaints = new Complaints();
+export const pageErrors = new PageErrors();
 export let browser;
 export let racer;
 export let daemon;
@@ -26,7 +26,7 @@ afterEach(async () => {
   await daemon?.end();
   await address?.end();
   page = racer = daemon = address = null;
-  assert.deepEqual(complaints.take(), []);
+  assert.deepEqual(pageErrors.take(), []);
 });
 
 export async function startDaemon(options) {
@@ -51,12 +51,12 @@ export async function openBlank(device = kSmall) {
 
 export async function open(device = kSmall) {
   await openBlank(device);
-  page.setDefaultTimeout(kPatience.timeout);
-  complaints.watch(page);
+  page.setDefaultTimeout(kTimeout.timeout);
+  pageErrors.watch(page);
   await page.goto((address ?? racer).url);
-  await page.waitForSelector("body[data-link=open]", kPatience);
-  await page.waitForFunction(() => window.racer.frame > 1, null, kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
+  await page.waitForFunction(() => window.racer.frame > 1, null, kTimeout);
 }
 
-export const until = (look, argument) => page.waitForFunction(look, argument, kPatience);
+export const until = (condition, argument) => page.waitForFunction(condition, argument, kTimeout);
 export const at = () => page.evaluate(() => window.racer.scene().car.at);

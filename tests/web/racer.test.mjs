@@ -5,8 +5,8 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { kAxe, kDesktop, kPhone } from "./browser.mjs";
-import { comes, kPatience } from "./patience.mjs";
-import { at, browser, complaints, daemon, keepAddress, kSmall, open, openBlank, page, racer, startDaemon, startRacer, until } from "./race.mjs";
+import { eventually, kTimeout } from "./timeouts.mjs";
+import { at, browser, pageErrors, daemon, keepAddress, kSmall, open, openBlank, page, racer, startDaemon, startRacer, until } from "./race.mjs";
 
 test("the race is drawn by WebGL 2, and the built-in driver's car moves", async () => {
   await startRacer({ more: ["--driver"] });
@@ -33,7 +33,7 @@ test("the race is drawn by WebGL 2, and the built-in driver's car moves", async 
   await until(() => /^(Landing|Skidding|Hit): .*, \d+ %$/.test(document.getElementById("felt").textContent));
 });
 
-test("keys drive, let go, pause and put the car back", async () => {
+test("keys drive, release, pause and reset the car", async () => {
   await startRacer();
   await open();
   const start = await at();
@@ -57,12 +57,12 @@ test("keys drive, let go, pause and put the car back", async () => {
   await until(() => Math.abs(window.racer.scene().speed_mps) < 0.5);
 });
 
-test("a page that goes lets go of its keys", async () => {
+test("a page that closes releases its keys", async () => {
   await startRacer();
   await open();
   const other = await (await browser.newContext(kSmall)).newPage();
   await other.goto(racer.url);
-  await other.waitForSelector("body[data-link=open]", kPatience);
+  await other.waitForSelector("body[data-link=open]", kTimeout);
   await other.keyboard.down("KeyW");
   await until(() => window.racer.scene().throttle === 1);
   await other.context().close();
@@ -96,7 +96,7 @@ test("a hit is seen on the ring and felt on the ball, and costs of its budget", 
   await page.keyboard.up("ArrowLeft");
   // The daemon has played the effect and counts it for the client.
   const pulsed = async () => /effects_total\{[^}]*"effect\.pulse"[^}]*\} [1-9]/.test(await (await fetch(`${daemon.url}/metrics`)).text());
-  await comes(pulsed);
+  await eventually(pulsed);
   assert.match(JSON.stringify(await daemon.call("connection.list")), /hedgehog-racer/);
   // A warm ball can deliver less. On a busy machine a second of the daemon takes longer.
   const warmth = { direction: "up", current_a: 15, duration_ms: 2000, priority: 9, on_close: "finish" };
@@ -106,7 +106,7 @@ test("a hit is seen on the ring and felt on the ball, and costs of its budget", 
     const now = await seconds();
     assert.ok(now < end, `${await meter()} % of ${cool} %`);
     assert.ok((await daemon.call("effect.pulse", warmth)).accepted);
-    await comes(async () => await seconds() > now + 1);
+    await eventually(async () => await seconds() > now + 1);
   }
 });
 
@@ -128,37 +128,37 @@ test("tilting the simulated ball steers and drives", async () => {
   await until(() => window.racer.scene().mode === "keyboard" && window.racer.scene().steer > 0.5);
 });
 
-test("a game that goes is said each way, and the page comes back by itself", async () => {
+test("the end of a game is reported with its reason, and the page reconnects", async () => {
   await startRacer({ more: ["--driver"] });
   await keepAddress();
   await open();
-  complaints.expected = true;
+  pageErrors.expected = true;
   await racer.end("SIGKILL");
-  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.waitForSelector("body[data-link=gone]", kTimeout);
   assert.match(await page.textContent("#gone"), /The game is gone \(it ended without a word\)/);
   await startRacer({ more: ["--driver"] });
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
   assert.match(await page.textContent("#gone"), /The game is back/);
   await racer.end("SIGTERM");
   assert.equal(racer.process.exitCode, 0);
   await until(() => /The game is gone \(it was stopped\)/.test(document.getElementById("gone").textContent));
   await startRacer({ more: ["--driver"] });
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
   racer.process.kill("SIGSTOP");
-  await page.waitForSelector("body[data-link=silent]", kPatience);
+  await page.waitForSelector("body[data-link=silent]", kTimeout);
   racer.process.kill("SIGCONT");
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
 });
 
-test("a ball that goes is said, and the race goes on", async () => {
+test("a disconnected ball is reported, and the race continues", async () => {
   await startDaemon();
   await startRacer({ daemon, more: ["--driver"] });
   await open();
-  await page.waitForSelector("body[data-ball=armed]", kPatience);
+  await page.waitForSelector("body[data-ball=armed]", kTimeout);
   await daemon.call("device.emergency_stop");
   await until(() => /The ball is disarmed/.test(document.getElementById("help").textContent));
   await daemon.end();
-  await page.waitForSelector("body[data-ball=none]", kPatience);
+  await page.waitForSelector("body[data-ball=none]", kTimeout);
   assert.match(await page.textContent("#strength"), /^No ball/);
   const before = (await page.evaluate(() => window.racer.scene().time_s));
   await until((then) => window.racer.scene().time_s > then + 0.5, before);
@@ -184,7 +184,7 @@ test("axe finds no serious fault, on a desk and on a phone, and thumbs can drive
   await until(() => window.racer.scene().throttle === 0);
 });
 
-test("a page of another origin, and one under another name, get nothing", async () => {
+test("a page of another origin, and one under another name, are refused", async () => {
   await startRacer();
   const { port } = racer;
   await openBlank();

@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop, kPhone } from "./browser.mjs";
-import { kPatience } from "./patience.mjs";
-import { complaints, kSmall, open, page, racer, startRacer, until } from "./race.mjs";
+import { kTimeout } from "./timeouts.mjs";
+import { pageErrors, kSmall, open, page, racer, startRacer, until } from "./race.mjs";
 
 test("a time is rounded before it is divided into minutes", async () => {
   await startRacer();
@@ -14,7 +14,7 @@ test("a time is rounded before it is divided into minutes", async () => {
   assert.deepEqual(shown, ["0:00.0", "0:59.9", "1:00.0", "1:01.3", "3:00.0", "–"]);
 });
 
-test("the clock stands until somebody drives", async () => {
+test("the clock stands until the first movement", async () => {
   await startRacer();
   await open();
   await until(() => window.racer.scene().time_s > 1);
@@ -25,7 +25,7 @@ test("the clock stands until somebody drives", async () => {
   assert.ok(lap < time - 0.9, `${lap} s of ${time} s`);
 });
 
-test("a lap of the built-in driver is nobody's best", async () => {
+test("a lap of the built-in driver is no best lap", async () => {
   await startRacer({ more: ["--driver"] });
   await open();
   await until(() => window.racer.scene().last_s !== null);
@@ -73,20 +73,20 @@ test("no panel lies over another, at any size", async () => {
 test("a banner covers neither speed nor map", async () => {
   await startRacer();
   await open(touch(390, 844));
-  complaints.expected = true;
+  pageErrors.expected = true;
   await racer.end("SIGKILL");
-  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.waitForSelector("body[data-link=gone]", kTimeout);
   assert.deepEqual(await overlapping(), []);
 });
 
-test("a blow is drawn at the car, where it was felt", async () => {
+test("an impact is drawn at the car, where it was felt", async () => {
   await startRacer();
   await open();
   await page.keyboard.down("ArrowUp");
   await page.keyboard.down("ArrowLeft");
   const { drawn, felt } = await (await until(() => {
     const { ring, stage } = window.racer;
-    const mark = stage().blow?.mark;
+    const mark = stage().impact?.mark;
     return ring.last?.kind === "hit" && mark?.visible && { drawn: mark.position.toArray(), felt: ring.last.direction };
   })).jsonValue();
   const apart = Math.hypot(...drawn);
@@ -95,10 +95,10 @@ test("a blow is drawn at the car, where it was felt", async () => {
   assert.ok(Math.abs(Math.atan2(drawn[1], drawn[0]) - Math.atan2(felt[1], felt[0])) < 0.05, JSON.stringify({ drawn, felt }));
   await page.keyboard.up("ArrowUp");
   await page.keyboard.up("ArrowLeft");
-  await until(() => !window.racer.stage().blow.mark.visible);
+  await until(() => !window.racer.stage().impact.mark.visible);
 });
 
-test("there is no sound until somebody wants it", async () => {
+test("there is no sound until it is enabled", async () => {
   await startRacer({ more: ["--driver"] });
   await open(kSmall);
   assert.equal(await page.evaluate(() => window.racer.sound.context), null);
@@ -110,12 +110,12 @@ test("there is no sound until somebody wants it", async () => {
   // Sound is audible.
   await page.evaluate(() => {
     const { sound } = window.racer;
-    window.heard = sound.context.createAnalyser();
-    sound.master.connect(window.heard);
+    window.analyser = sound.context.createAnalyser();
+    sound.master.connect(window.analyser);
   });
   await until(() => {
-    const samples = new Float32Array(window.heard.fftSize);
-    window.heard.getFloatTimeDomainData(samples);
+    const samples = new Float32Array(window.analyser.fftSize);
+    window.analyser.getFloatTimeDomainData(samples);
     return Math.max(...samples.map(Math.abs)) > 0.005;
   });
   await button.click();

@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
 import { daemon, open, page, until } from "./dashboard.mjs";
-import { comes } from "./patience.mjs";
+import { eventually } from "./timeouts.mjs";
 
 /** 16 bit, two channels, 48 kHz. */
 function wav(seconds, sound) {
@@ -28,12 +28,12 @@ test("a sound file vibrates where its low tone is and pushes where it clicks", a
   // Longer than a busy machine needs for the following steps: a sound that has ended cannot be stopped.
   const buffer = wav(20, (t) => [0.5 * Math.sin(2 * Math.PI * 60 * t), click(t)]);
   await page.locator("#sound").setInputFiles({ name: "s.wav", mimeType: "audio/wav", buffer });
-  await comes(async () => (await daemon.call("device.status")).effects.some(({ slot }) => slot === "sound"));
+  await eventually(async () => (await daemon.call("device.status")).effects.some(({ slot }) => slot === "sound"));
   await until(() => (window.dashboard.ball.extension(34) ?? 0) > 0.01);
   await until(() => /^\d+ push/.test(document.getElementById("heard").textContent));
-  await comes(async () => await daemon.ended("completed") > 0);
+  await eventually(async () => await daemon.ended("completed") > 0);
   await page.getByRole("button", { name: "End the sound" }).click();
-  await comes(async () => (await daemon.call("device.status")).effects.length === 0);
+  await eventually(async () => (await daemon.call("device.status")).effects.length === 0);
 });
 
 test("a microphone that beeps pushes at each beep, until the sound is ended", async () => {
@@ -44,16 +44,16 @@ test("a microphone that beeps pushes at each beep, until the sound is ended", as
   await microphone.click();
   await until(() => document.getElementById("microphone").getAttribute("aria-pressed") === "true");
   await until(() => /^([2-9]|\d{2,}) pushes$/.test(document.getElementById("heard").textContent));
-  await comes(async () => await daemon.ended("completed") > 1);
+  await eventually(async () => await daemon.ended("completed") > 1);
   const tracks = await page.evaluateHandle(() => window.dashboard.listener.stream.getTracks());
   await page.getByRole("button", { name: "End the sound" }).click();
   await until(() => document.getElementById("microphone").getAttribute("aria-pressed") === "false");
   assert.deepEqual(await tracks.evaluate((all) => all.map(({ readyState }) => readyState)), ["ended"], "the microphone is off");
   assert.equal(await page.locator("#silence").isDisabled(), true);
-  await comes(async () => (await daemon.call("device.status")).effects.length === 0);
+  await eventually(async () => (await daemon.call("device.status")).effects.length === 0);
 });
 
-test("a microphone that is refused is said, and nothing listens", async () => {
+test("a refused microphone is reported, and nothing is recorded", async () => {
   await open("/designer.html", kDesktop, (refused) => refused.addInitScript(() => {
     navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException("Permission denied", "NotAllowedError"));
   }));

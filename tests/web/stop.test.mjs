@@ -5,17 +5,17 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop, kPhone } from "./browser.mjs";
-import { complaints, daemon, keepAddress, open, page, startDaemon, until } from "./dashboard.mjs";
-import { kPatience } from "./patience.mjs";
+import { pageErrors, daemon, keepAddress, open, page, startDaemon, until } from "./dashboard.mjs";
+import { kTimeout } from "./timeouts.mjs";
 
-test("the stop button zeroes the coils, says so, and arming lets them be driven again", async () => {
+test("the stop button zeroes the coils and confirms it, and they can be driven after arming", async () => {
   await open();
   await page.getByText("Circle").click();
   await page.locator("#duration").fill("10");
   await page.getByRole("button", { name: "axis up" }).click();
   await until(() => /^[1-9].* of/.test(document.getElementById("current").textContent));
   await page.getByRole("button", { name: "Stop", exact: true }).click();
-  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await page.waitForSelector("body[data-state=disarmed]", kTimeout);
   await until(() => /^0\.0 A/.test(document.getElementById("current").textContent));
   const status = await daemon.call("device.status");
   assert.equal(status.reason, "emergency_stop");
@@ -24,14 +24,14 @@ test("the stop button zeroes the coils, says so, and arming lets them be driven 
   await page.getByRole("button", { name: "Arm the ball" }).click();
   await until(() => ["armed", ""].includes(document.body.dataset.state) || document.querySelector("#said.bad"));
   assert.equal(await page.textContent("#said"), "armed");
-  await page.waitForSelector("body[data-state=armed]", kPatience);
+  await page.waitForSelector("body[data-state=armed]", kTimeout);
 });
 
-test("stop reaches the daemon although the page's own connection hangs", async () => {
+test("stop reaches the daemon while the page's connection hangs", async () => {
   await open();
   await page.evaluate(() => { window.dashboard.link.socket.send = () => {}; });
   await page.keyboard.press("Escape");
-  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await page.waitForSelector("body[data-state=disarmed]", kTimeout);
 });
 
 /** On the screen, and not covered. */
@@ -43,9 +43,9 @@ const inSight = (selector) => page.evaluate((which) => {
 }, selector);
 
 for (const [path, device, where] of [["/", kDesktop, "a desk"], ["/", kPhone, "a phone"], ["/orientation.html", kPhone, "the orientation page"]]) {
-  test(`a daemon that hangs does not confirm the stop: said in sight on ${where}, until it has stopped after all`, async () => {
+  test(`a daemon that hangs does not confirm the stop: shown on ${where}, until it has stopped after all`, async () => {
     await open(path, device);
-    complaints.expected = true;
+    pageErrors.expected = true;
     daemon.process.kill("SIGSTOP");
     await page.getByRole("button", { name: "Stop", exact: true }).click();
     await until(() => document.getElementById("unstopped")?.hidden === false);
@@ -54,7 +54,7 @@ for (const [path, device, where] of [["/", kDesktop, "a desk"], ["/", kPhone, "a
     assert.ok(await inSight("#stop"));
     assert.equal(await page.locator("#stop.pressed").count(), 0);
     daemon.process.kill("SIGCONT");
-    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await page.waitForSelector("body[data-state=disarmed]", kTimeout);
     await until(() => document.getElementById("unstopped").hidden && /^coils off/i.test(document.getElementById("said").textContent));
   });
 }
@@ -63,9 +63,9 @@ test("space stops after the mouse has pressed something, and presses it no secon
   await open();
   const spaceStops = async () => {
     await page.keyboard.press("Space");
-    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await page.waitForSelector("body[data-state=disarmed]", kTimeout);
     await daemon.call("device.arm");
-    await page.waitForSelector("body[data-state=armed]", kPatience);
+    await page.waitForSelector("body[data-state=armed]", kTimeout);
     await until(() => !document.querySelector("[data-direction=left]").disabled);
   };
   for (const used of ["text=Vibration", "[data-direction=left]", "[data-turn='-1,0']", "[name=turn]"]) {
@@ -97,9 +97,9 @@ test("space belongs to the control that has the focus; escape always stops", asy
     await page.evaluate(() => window.dashboard.link.call("ping"));
     assert.equal((await daemon.call("device.status")).state, "armed", control);
     await page.keyboard.press("Escape");
-    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await page.waitForSelector("body[data-state=disarmed]", kTimeout);
     await daemon.call("device.arm");
-    await page.waitForSelector("body[data-state=armed]", kPatience);
+    await page.waitForSelector("body[data-state=armed]", kTimeout);
     await until(() => !document.querySelector("[data-direction=left]").disabled);
   }
 });
@@ -110,23 +110,23 @@ test("space stops what a click began to show on the orientation page", async () 
   await page.getByRole("button", { name: "Show up" }).click();
   await until(() => window.dashboard.ball.arrowDirection() !== null);
   await page.keyboard.press("Space");
-  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await page.waitForSelector("body[data-state=disarmed]", kTimeout);
 });
 
-test("a stop that no daemon confirmed is said until one is back", async () => {
+test("an unconfirmed stop is shown until a daemon is connected", async () => {
   await keepAddress();
   await open();
-  complaints.expected = true;
+  pageErrors.expected = true;
   await daemon.end("SIGKILL");
-  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.waitForSelector("body[data-link=gone]", kTimeout);
   await page.keyboard.press("Escape");
   await until(() => document.getElementById("unstopped")?.hidden === false);
   await startDaemon();
-  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForSelector("body[data-link=open]", kTimeout);
   await until(() => document.getElementById("unstopped").hidden);
 });
 
-test("an answer that refuses the stop does not confirm it", async () => {
+test("a response that refuses the stop does not confirm it", async () => {
   const refusal = (text) => JSON.stringify({ jsonrpc: "2.0", id: JSON.parse(text).id, error: { code: -32603, message: "no", data: { name: "internal" } } });
   let connections = 0;
   await open("/", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {

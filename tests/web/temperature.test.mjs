@@ -6,7 +6,7 @@ import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
 import { open, page, until } from "./dashboard.mjs";
-import { kPatience } from "./patience.mjs";
+import { kTimeout } from "./timeouts.mjs";
 
 /** Lets `change` rewrite each status that the daemon sends. */
 const rewriting = (change) => (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
@@ -50,11 +50,11 @@ test("a ball that is derated has no green dot", async () => {
   assert.notEqual(await dot(), green);
 });
 
-test("without a thermometer nobody knows how long the ball could go on, and the page says so", async () => {
+test("without a thermometer the remaining time is shown as unknown", async () => {
   await open();
   await until(() => document.getElementById("headroom").textContent === "for ever");
   await page.selectOption("[name=fault]", "sensor_open");
-  await page.waitForSelector("body[data-state=tripped]", kPatience);
+  await page.waitForSelector("body[data-state=tripped]", kTimeout);
   await until(() => document.getElementById("headroom").textContent === "not known");
   assert.equal(await text("#burst"), "not known");
   assert.equal(await text("#thermistor"), "no reading");

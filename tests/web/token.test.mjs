@@ -5,11 +5,11 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
-import { Complaints, kDesktop, launch } from "./browser.mjs";
+import { PageErrors, kDesktop, launch } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
-import { kPatience } from "./patience.mjs";
+import { kTimeout } from "./timeouts.mjs";
 
-const complaints = new Complaints();
+const pageErrors = new PageErrors();
 let browser;
 let daemon;
 let tokens;
@@ -29,38 +29,38 @@ beforeEach(async () => {
 afterEach(async () => {
   await page?.context().close();
   await daemon.end();
-  assert.deepEqual(complaints.take(), []);
+  assert.deepEqual(pageErrors.take(), []);
 });
 
 /** `prepare(page)` is called before anything is loaded. */
 async function open(path = "/", prepare = () => {}) {
   page = await (await browser.newContext({ ...kDesktop, ignoreHTTPSErrors: true })).newPage();
-  page.setDefaultTimeout(kPatience.timeout);
-  complaints.watch(page);
+  page.setDefaultTimeout(kTimeout.timeout);
+  pageErrors.watch(page);
   await prepare(page);
   await page.goto(daemon.url + path);
-  await page.waitForSelector("body[data-link=locked]", kPatience);
+  await page.waitForSelector("body[data-link=locked]", kTimeout);
 }
 async function show(token) {
   await page.locator("#token input").fill(token);
   await page.getByRole("button", { name: "Connect" }).click();
 }
-const opened = () => page.waitForSelector("body[data-link=open][data-state=armed]", kPatience);
+const opened = () => page.waitForSelector("body[data-link=open][data-state=armed]", kTimeout);
 
 for (const path of ["/", "/designer.html", "/orientation.html"]) {
   test(`${path} asks for a token, and works with it`, async () => {
     await open(path);
     assert.ok(await page.locator("#token").isVisible());
     await show(tokens.operate);
-    await page.waitForSelector("body[data-link=open]", kPatience);
+    await page.waitForSelector("body[data-link=open]", kTimeout);
     assert.ok(await page.locator("#token").isHidden());
   });
 }
 
-test("a wrong token is told, and a right one taken after it; a reload asks no more", async () => {
+test("a wrong token is reported, and a right one accepted after it; a reload prompts no more", async () => {
   await open();
   await show("hht_guess");
-  await page.getByText("The daemon does not know this token.").waitFor(kPatience);
+  await page.getByText("The daemon does not know this token.").waitFor(kTimeout);
   await show(tokens.play);
   await opened();
   assert.match(await page.textContent("#version"), /role play/);
@@ -68,7 +68,7 @@ test("a wrong token is told, and a right one taken after it; a reload asks no mo
   await opened();
 });
 
-test("a right token that is refused unseen, for others' wrong ones, is shown again by itself", async () => {
+test("a right token that is refused for others' wrong ones is sent again", async () => {
   const refusal = { code: -32003, message: "token: wait", data: { name: "unauthorized", retry_after_ms: 3000 } };
   const shown = [];
   await open("/", async (fresh) => {
@@ -87,34 +87,34 @@ test("a right token that is refused unseen, for others' wrong ones, is shown aga
   assert.deepEqual(shown.slice(0, 2), [tokens.play, tokens.play]);
 });
 
-test("a token that is revoked ends the page's connection, and is asked for again", async () => {
+test("a revoked token ends the page's connection, and is prompted for again", async () => {
   await open();
   await show(tokens.play);
   await opened();
-  complaints.expected = true;
+  pageErrors.expected = true;
   daemon.token("revoke", "arcade");
   daemon.process.kill("SIGHUP");
-  await page.waitForSelector("body[data-link=locked]", kPatience);
-  await page.getByText("The daemon does not know this token.").waitFor(kPatience);
+  await page.waitForSelector("body[data-link=locked]", kTimeout);
+  await page.getByText("The daemon does not know this token.").waitFor(kTimeout);
 });
 
-test("the emergency stop gets through although the page's own connection hangs", async () => {
+test("the emergency stop reaches the daemon while the page's connection hangs", async () => {
   await open();
   await show(tokens.play);
   await opened();
   await page.evaluate(() => { window.dashboard.link.socket.send = () => {}; });
   await page.keyboard.press("Escape");
-  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await page.waitForSelector("body[data-state=disarmed]", kTimeout);
 });
 
-test("the recording of a trip is kept by a click", async () => {
+test("the recording of a trip is saved by a click", async () => {
   await open();
   await show(tokens.operate);
   await opened();
   await page.selectOption("[name=fault]", "sensor_open");
-  await page.waitForSelector("body[data-state=tripped]", kPatience);
+  await page.waitForSelector("body[data-state=tripped]", kTimeout);
   const link = page.locator("#happened a");
-  await link.first().waitFor(kPatience);
+  await link.first().waitFor(kTimeout);
   const [download] = await Promise.all([page.waitForEvent("download"), link.first().click()]);
   assert.equal(download.suggestedFilename(), "trip-0001.hhr");
   assert.ok(readFileSync(await download.path()).equals(readFileSync(join(daemon.home, "state/hedgehog/trip-0001.hhr"))));
@@ -126,9 +126,9 @@ test("a recording that cannot be downloaded is reported", async () => {
   await opened();
   await page.selectOption("[name=fault]", "sensor_open");
   const link = page.locator("#happened a");
-  await link.first().waitFor(kPatience);
-  complaints.expected = true;
+  await link.first().waitFor(kTimeout);
+  pageErrors.expected = true;
   await page.route("**/recordings/*", (route) => route.fulfill({ status: 404 }));
   await link.first().click();
-  await page.getByText("trip-0001.hhr was not downloaded: the daemon answers 404").waitFor(kPatience);
+  await page.getByText("trip-0001.hhr was not downloaded: the daemon answers 404").waitFor(kTimeout);
 });

@@ -127,10 +127,10 @@ void TourPlayer::take(const Notification& notification, const TourChapter& chapt
 }
 
 Outcome<void> TourPlayer::send(const TourStep& step) {
-  const auto answer = connection_.call_raw(step.method, step.params, timeout());
-  if (answer) return {};
-  if (answer.error().failure != Failure::kRefused) return answer.error();
-  record_.refused(step.method + ": " + answer.error().message);
+  const auto response = connection_.call_raw(step.method, step.params, timeout());
+  if (response) return {};
+  if (response.error().failure != Failure::kRefused) return response.error();
+  record_.refused(step.method + ": " + response.error().message);
   return {};
 }
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <variant>
 
-#include "clients/lib/patience.h"
+#include "clients/lib/response_timeout.h"
 #include "protocol/client_codec.h"
 
 namespace hedgehog::client {
@@ -45,7 +45,7 @@ void set_options(TlsStream::Socket& socket) {
   set_option(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, kLostMs);
 }
 
-ClientError not_answering(const Address& address, const std::string& why) {
+ClientError no_response(const Address& address, const std::string& why) {
   return {Failure::kNoDaemon, "no daemon answers at " + to_string(address) + " (" + why + ")", {}};
 }
 
@@ -74,7 +74,7 @@ asio::awaitable<BallStream::Opened> BallStream::open(const std::vector<Address>&
     Tcp::resolver resolver(executor);
     const auto endpoints = co_await resolver.async_resolve(
         address.host, std::to_string(address.port), asio::redirect_error(asio::use_awaitable, ec));
-    if (ec) problem = not_answering(address, reason_of(ec));
+    if (ec) problem = no_response(address, reason_of(ec));
     for (const auto& entry : endpoints) {
       auto ball = std::make_shared<BallStream>(executor, address);
       const Endpoint endpoint(entry.endpoint());
@@ -97,12 +97,12 @@ asio::awaitable<Outcome<void>> BallStream::connect_and_log_in(const Endpoint& en
   const std::string why = co_await connect(endpoint);
   Outcome<void> outcome;
   if (!why.empty())
-    outcome = not_answering(address_, why);
+    outcome = no_response(address_, why);
   else if (address_.token)
     outcome = co_await log_in();
   deadline_.cancel();
   // The timer may have expired just before; then the connection is closed.
-  if (outcome && timed_out_) outcome = not_answering(address_, reason_of_end({}));
+  if (outcome && timed_out_) outcome = no_response(address_, reason_of_end({}));
   co_return outcome;
 }
 
@@ -128,7 +128,7 @@ asio::awaitable<Outcome<void>> BallStream::log_in() {
     size =
         co_await asio::async_read_until(stream(), asio::dynamic_buffer(response, kMaxHelloResponse),
                                         '\n', asio::redirect_error(asio::use_awaitable, ec));
-  if (ec) co_return not_answering(address_, reason_of_end(ec));
+  if (ec) co_return no_response(address_, reason_of_end(ec));
   // The daemon sends nothing but responses until it is asked to, so nothing follows this line.
   co_return hello_outcome(std::string_view(response).substr(0, size - 1));
 }

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "clients/lib/patience.h"
+#include "clients/lib/response_timeout.h"
 
 namespace hedgehog::client {
 namespace {

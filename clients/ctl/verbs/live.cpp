@@ -37,13 +37,13 @@ class Liveness {
   void received() { received_at_ = Clock::now(); }
   /// Does not wait for the response, which may be queued behind other messages in the socket.
   void stop() {
-    (void)connection_.ask(protocol::DeviceEmergencyStop{});
+    (void)connection_.request(protocol::DeviceEmergencyStop{});
     if (!unanswered_) stopped_at_ = Clock::now();
     unanswered_ = true;
   }
   /// The warning to be shown; empty: none.
   std::string warning() {
-    while (connection_.answer()) unanswered_ = false;
+    while (connection_.response()) unanswered_ = false;
     const auto now = Clock::now();
     if (unanswered_ && now - stopped_at_ > kAnswers) return "stop sent, no answer: pull the plug";
     return now - received_at_ > kSilent ? "hedgehogd is silent: what stands here is old" : "";

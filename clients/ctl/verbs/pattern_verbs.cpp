@@ -30,10 +30,10 @@ std::string more_to_play(const protocol::Pattern& pattern) {
 }
 
 int put(Session& session, const protocol::Pattern& pattern) {
-  const auto answer = session.connection.call_text(protocol::PatternPut{pattern});
-  if (!answer) return report_error(answer.error());
+  const auto response = session.connection.call_text(protocol::PatternPut{pattern});
+  if (!response) return report_error(response.error());
   if (session.json) {
-    std::puts(answer->c_str());
+    std::puts(response->c_str());
     return kDone;
   }
   const std::string more = more_to_play(pattern);
@@ -45,13 +45,13 @@ int put(Session& session, const protocol::Pattern& pattern) {
 }  // namespace
 
 int run_pattern_list(Session& session) {
-  const auto answer = session.connection.call_text(protocol::PatternList{});
-  if (!answer) return report_error(answer.error());
+  const auto response = session.connection.call_text(protocol::PatternList{});
+  if (!response) return report_error(response.error());
   if (session.json) {
-    std::puts(answer->c_str());
+    std::puts(response->c_str());
     return kDone;
   }
-  const auto list = protocol::decode_result<protocol::PatternsResult>(*answer);
+  const auto list = protocol::decode_result<protocol::PatternsResult>(*response);
   if (!list) return report_error({Failure::kProtocol, list.error().message, {}});
   for (const protocol::PatternSummary& p : list->patterns) {
     const std::string head = "  " + left(p.name, kNameColumns) +
@@ -63,9 +63,9 @@ int run_pattern_list(Session& session) {
 }
 
 int run_pattern_get(Session& session, const std::string& name) {
-  const auto answer = session.connection.call(protocol::PatternGet{name});
-  if (!answer) return report_error(answer.error());
-  std::puts(pattern_text(answer->pattern).c_str());
+  const auto response = session.connection.call(protocol::PatternGet{name});
+  if (!response) return report_error(response.error());
+  std::puts(pattern_text(response->pattern).c_str());
   return kDone;
 }
 
@@ -75,9 +75,9 @@ int run_pattern_put(Session& session, const std::string& file) {
 }
 
 int run_pattern_remove(Session& session, const std::string& name) {
-  const auto answer = session.connection.call_text(protocol::PatternRemove{name});
-  if (!answer) return report_error(answer.error());
-  std::puts(session.json ? answer->c_str() : (name + " is gone").c_str());
+  const auto response = session.connection.call_text(protocol::PatternRemove{name});
+  if (!response) return report_error(response.error());
+  std::puts(session.json ? response->c_str() : (name + " is gone").c_str());
   return kDone;
 }
 

@@ -36,7 +36,7 @@ class EffectWait {
       : session_(session), effect_(effect), held_(options.held()), hold_s_(options.hold_s) {}
 
   Outcome<std::optional<protocol::EventMessage>> wait() {
-    if (auto asked = subscribe_time(); !asked) return asked.error();
+    if (auto sent = subscribe_time(); !sent) return sent.error();
     while (!interrupted()) {
       auto notification = session_.connection.next(kEndPoll);
       if (!notification) return notification.error();
@@ -60,9 +60,8 @@ class EffectWait {
     if (!held_) return {};
     protocol::StatusKeys only_time;
     only_time.add(protocol::StatusKey::kTimeNs);
-    const auto asked =
-        session_.connection.call(protocol::TelemetrySubscribe{kRenewalHz, only_time});
-    return asked ? Outcome<void>() : Outcome<void>(asked.error());
+    const auto sent = session_.connection.call(protocol::TelemetrySubscribe{kRenewalHz, only_time});
+    return sent ? Outcome<void>() : Outcome<void>(sent.error());
   }
 
   Outcome<void> renew_lease(const protocol::TelemetryMessage& message) {
@@ -137,18 +136,18 @@ int run_preview(Session& session, const PlayOptions& given) {
   const PlayOptions& options = *completed;
   const auto params = play_params(options);
   if (!params) return report_error(params.error());
-  json asked{{"method", options.method}, {"params", json::parse(*params)}};
+  json request{{"method", options.method}, {"params", json::parse(*params)}};
   if (options.hold_s) {
-    asked["params"]["lease_ms"] =
+    request["params"]["lease_ms"] =
         std::min(1000.0 * *options.hold_s, static_cast<double>(protocol::kMaxLeaseMs));
   }
-  const auto answer = session.connection.call_raw("effect.preview", asked.dump());
-  if (!answer) return report_error(answer.error());
+  const auto response = session.connection.call_raw("effect.preview", request.dump());
+  if (!response) return report_error(response.error());
   if (session.json) {
-    std::puts(answer->c_str());
+    std::puts(response->c_str());
     return kDone;
   }
-  const auto preview = protocol::decode_result<protocol::PreviewResult>(*answer);
+  const auto preview = protocol::decode_result<protocol::PreviewResult>(*response);
   if (!preview) return report_error({Failure::kProtocol, preview.error().message, {}});
   for (const std::string& line : preview_screen(words_of(options), *preview, session.style.ascii))
     std::puts(line.c_str());
@@ -165,12 +164,12 @@ int run_play(Session& session, const PlayOptions& given) {
     return report_error(hello.error());
   if (auto events = session.connection.call(protocol::EventsSubscribe{{"effect_ended"}}); !events)
     return report_error(events.error());
-  const auto answer = session.connection.call_raw(options.method, *params);
-  if (!answer) return report_error(answer.error());
-  const auto admission = protocol::decode_result<protocol::Admission>(*answer);
+  const auto response = session.connection.call_raw(options.method, *params);
+  if (!response) return report_error(response.error());
+  const auto admission = protocol::decode_result<protocol::Admission>(*response);
   if (!admission) return report_error({Failure::kProtocol, admission.error().message, {}});
   if (session.json) {
-    std::puts(answer->c_str());
+    std::puts(response->c_str());
     std::fflush(stdout);
   } else {
     print_start(options, *admission);

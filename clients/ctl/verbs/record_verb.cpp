@@ -88,8 +88,8 @@ class Recorder {
 Outcome<void> record(Session& session, Recorder& recorder) {
   protocol::StatusKeys keys;
   keys.add(protocol::StatusKey::kOrientation);
-  if (auto asked = session.connection.call(protocol::TelemetrySubscribe{kRecordHz, keys}); !asked)
-    return asked.error();
+  if (auto sent = session.connection.call(protocol::TelemetrySubscribe{kRecordHz, keys}); !sent)
+    return sent.error();
   while (!interrupted()) {
     auto notification = session.connection.next(kInterruptPoll);
     if (!notification) return notification.error();

@@ -109,9 +109,8 @@ Outcome<void> SoundPlayer::begin() {
     return events.error();
   protocol::StatusKeys only_time;
   only_time.add(protocol::StatusKey::kTimeNs);
-  if (auto asked = session_.connection.call(protocol::TelemetrySubscribe{kTimeHz, only_time});
-      !asked)
-    return asked.error();
+  if (auto sent = session_.connection.call(protocol::TelemetrySubscribe{kTimeHz, only_time}); !sent)
+    return sent.error();
   if (auto read = read_clock(); !read) return read.error();
   start_ns_ = now_ns_ + kStartNs;
   end_ns_ = start_ns_ + static_cast<std::int64_t>(sound_.reader.seconds() * 1e9);
@@ -137,16 +136,16 @@ Outcome<void> SoundPlayer::send(const Slice& slice) {
   for (const std::string& text : effects_of(slice, sound_)) {
     json params = json::parse(text);
     params["start_at_ns"] = at_ns;
-    const auto answer = session_.connection.call_raw("effect.play", params.dump());
-    if (!answer) return answer.error();
-    const auto admission = protocol::decode_result<protocol::Admission>(*answer);
+    const auto response = session_.connection.call_raw("effect.play", params.dump());
+    if (!response) return response.error();
+    const auto admission = protocol::decode_result<protocol::Admission>(*response);
     if (!admission) return ClientError{Failure::kProtocol, admission.error().message, {}};
     playing_.insert(admission->effect);
     // Two simultaneous effects limit each other where they add up, which is intended.
     if (admission->limited_by && *admission->limited_by != "mix")
       limited_by_ = *admission->limited_by;
     if (!session_.json) continue;
-    std::puts(answer->c_str());
+    std::puts(response->c_str());
     std::fflush(stdout);
   }
   return {};

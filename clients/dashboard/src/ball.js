@@ -74,11 +74,11 @@ export class Ball extends EventTarget {
     this.camera.up.copy(z);
     // As the holder sees it: from behind and above, left on the left.
     this.camera.position.set(-208, -26, 134).setLength(kDistance);
-    this.look = new OrbitControls(this.camera, canvas);
-    this.look.enablePan = false;
-    this.look.minDistance = 110;
-    this.look.maxDistance = 400;
-    this.look.addEventListener("change", () => this.draw());
+    this.orbit = new OrbitControls(this.camera, canvas);
+    this.orbit.enablePan = false;
+    this.orbit.minDistance = 110;
+    this.orbit.maxDistance = 400;
+    this.orbit.addEventListener("change", () => this.draw());
     this.body = new Group();
     this.scene.add(this.body);
     this.light();
@@ -206,7 +206,7 @@ export class Ball extends EventTarget {
   /** Dragging turns the ball instead of the view. */
   setTurning(on) {
     this.turning = on;
-    this.look.enableRotate = !on;
+    this.orbit.enableRotate = !on;
     this.canvas.style.cursor = on ? "grab" : "";
   }
 

@@ -4,7 +4,7 @@
 import uPlot from "uplot";
 
 /** What the daemon keeps, and so does the page. */
-const kKeptS = 600;
+const kHistoryS = 600;
 const kPerSecond = 5;
 const kHeight = 128;
 /** A longer silence is a gap in the lines, s. */
@@ -69,7 +69,7 @@ class Chart {
     if (at <= last) return;
     if (at - last > kGapS) this.data.forEach((list, i) => list.push(i ? null : last + 0.001));
     [at, ...values].forEach((value, i) => this.data[i].push(value));
-    const old = this.data[0].findIndex((t) => t >= at - kKeptS);
+    const old = this.data[0].findIndex((t) => t >= at - kHistoryS);
     if (old > 0) this.data.forEach((list) => list.splice(0, old));
   }
 

@@ -10,14 +10,14 @@ import { PathEditor } from "./path_editor.js";
 import { stopButton } from "./stop.js";
 import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
-import { amperes, complaint, counted, degrees, limitation, whither } from "./words.js";
+import { amperes, errorMessage, counted, degrees, limitation, whither } from "./words.js";
 
 const kPreviewMs = 250;
 const kDragLeaseMs = 250;
 const kHeight = 160;
 const $ = (id) => document.getElementById(id);
 
-function say(text, bad = false) {
+function showMessage(text, bad = false) {
   $("said").textContent = text;
   $("said").classList.toggle("bad", bad);
 }
@@ -29,7 +29,7 @@ const ball = new Ball($("ball"));
 const path = new Path(ball);
 watch(link);
 askForToken(link);
-stopButton(link, say);
+stopButton(link, showMessage);
 const form = $("design");
 form.addEventListener("submit", (event) => event.preventDefault());
 let frames = new Keyframes();
@@ -46,7 +46,7 @@ const ask = async (method, params, done) => {
   try {
     done(await link.call(method, params));
   } catch (error) {
-    say(complaint(error), true);
+    showMessage(errorMessage(error), true);
   }
 };
 
@@ -62,9 +62,9 @@ const table = new FrameTable($("frames"), {
 function edit(change, tabled = true) {
   try {
     change();
-    say("");
+    showMessage("");
   } catch (error) {
-    say(complaint(error), true);
+    showMessage(errorMessage(error), true);
   }
   $("no-frames").hidden = frames.frames.length > 0;
   if (tabled) table.show(frames.frames, chosen());
@@ -100,9 +100,9 @@ async function forecast() {
   line("currents", []);
   $("forecast").textContent = "";
   if (!frames.playable() || !link.ready) return;
-  const asked = frames.frames;
+  const requested = frames.frames;
   await ask("effect.preview", { method: "effect.play", params: params() }, (preview) => {
-    if (asked !== frames.frames) return;
+    if (requested !== frames.frames) return;
     line("currents", preview.current_a.map((current, i) =>
       [(i + 0.5) * preview.step_ms, Math.min(1, Math.hypot(...current) / number("strength"))]));
     const limited = limitation(preview.limited_by);
@@ -124,8 +124,8 @@ $("add").addEventListener("click", () => edit(() => {
 $("clear").addEventListener("click", () => edit(() => { frames = new Keyframes(); }));
 
 $("play").addEventListener("click", () => {
-  if (!frames.playable()) return say("Put two key frames first: the last one is the end.", true);
-  return ask("effect.play", { ...params(), slot: "designer" }, (admission) => say(
+  if (!frames.playable()) return showMessage("Put two key frames first: the last one is the end.", true);
+  return ask("effect.play", { ...params(), slot: "designer" }, (admission) => showMessage(
     `plays with ${amperes(admission.current_a)}${limitation(admission.limited_by)}`));
 });
 
@@ -161,7 +161,7 @@ addEventListener("keydown", (event) => {
 function recording(on) {
   $("record").setAttribute("aria-pressed", on);
   $("record").textContent = on ? "Drag on the ball now" : "Record a drag";
-  ball.look.enableRotate = !on;
+  ball.orbit.enableRotate = !on;
 }
 $("record").addEventListener("click", () => recording($("record").getAttribute("aria-pressed") !== "true"));
 $("ball").addEventListener("pointerdown", (event) => {
@@ -169,7 +169,7 @@ $("ball").addEventListener("pointerdown", (event) => {
   if ($("record").getAttribute("aria-pressed") !== "true" || !direction) return;
   $("ball").setPointerCapture(event.pointerId);
   drag = { from: performance.now(), points: [{ t: 0, direction }] };
-  link.tell("effect.hold", { slot: "drag", direction, current_a: number("strength") * number("level"), lease_ms: kDragLeaseMs });
+  link.notify("effect.hold", { slot: "drag", direction, current_a: number("strength") * number("level"), lease_ms: kDragLeaseMs });
 });
 $("ball").addEventListener("pointermove", (event) => {
   const direction = drag && path.directionAt(event);
@@ -177,40 +177,40 @@ $("ball").addEventListener("pointermove", (event) => {
   const t = Math.round(performance.now() - drag.from);
   if (t > kMaxMs || t <= drag.points.at(-1).t) return;
   drag.points.push({ t, direction });
-  link.tell("effect.update", { slot: "drag", direction });
+  link.notify("effect.update", { slot: "drag", direction });
 });
 function endDrag() {
   if (!drag) return undefined;
   const { points } = drag;
   drag = null;
-  link.tell("effect.stop", { slot: "drag" });
+  link.notify("effect.stop", { slot: "drag" });
   recording(false);
-  if (points.length < 2) return say("Nothing was recorded: the pointer did not move on the ball.", true);
+  if (points.length < 2) return showMessage("Nothing was recorded: the pointer did not move on the ball.", true);
   edit(() => {
     chosenAt = null;
     frames = Keyframes.drawn(points, number("level"));
   });
-  return say(`${(frames.length() / 1000).toFixed(1)} s as ${counted(frames.frames.length, "key frame")}`);
+  return showMessage(`${(frames.length() / 1000).toFixed(1)} s as ${counted(frames.frames.length, "key frame")}`);
 }
 for (const ending of ["pointerup", "pointercancel", "blur", "pagehide"]) addEventListener(ending, endDrag);
 // A hand that rests while it drags still holds.
 setInterval(() => {
   if (drag && performance.now() - drag.from > kMaxMs) endDrag();
-  if (drag) link.tell("effect.update", { slot: "drag" });
+  if (drag) link.notify("effect.update", { slot: "drag" });
 }, kDragLeaseMs / 2);
 
 const pattern = () => ({ name: form.elements.name.value, keyframes: frames.wire() });
 $("save").addEventListener("click", () => {
-  if (!frames.playable()) return say("There is nothing to save yet.", true);
+  if (!frames.playable()) return showMessage("There is nothing to save yet.", true);
   const url = URL.createObjectURL(new Blob([`${JSON.stringify(pattern(), null, 2)}\n`], { type: "application/json" }));
   const file = `${form.elements.name.value.split("/").at(-1) || "pattern"}.json`;
   Object.assign(document.createElement("a"), { href: url, download: file }).click();
   URL.revokeObjectURL(url);
-  return say(`${file}: hedgehogctl play ${file}`);
+  return showMessage(`${file}: hedgehogctl play ${file}`);
 });
 $("keep").addEventListener("click", () => {
-  if (!frames.playable()) return say("There is nothing to keep yet.", true);
-  return ask("pattern.put", pattern(), ({ name }) => say(`${name} is kept by the daemon`));
+  if (!frames.playable()) return showMessage("There is nothing to keep yet.", true);
+  return ask("pattern.put", pattern(), ({ name }) => showMessage(`${name} is kept by the daemon`));
 });
 $("load").addEventListener("change", async () => {
   const [file] = $("load").files;
@@ -225,7 +225,7 @@ $("load").addEventListener("change", async () => {
 
 const listener = new Listener(link, {
   strength: () => ({ current_a: number("strength"), felt_a: limits.felt_a }),
-  heard: (pushes) => { $("heard").textContent = `${pushes} ${pushes === 1 ? "push" : "pushes"}`; },
+  onPushes: (pushes) => { $("heard").textContent = `${pushes} ${pushes === 1 ? "push" : "pushes"}`; },
   ended: () => listening(false),
 });
 function listening(on) {

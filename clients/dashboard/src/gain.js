@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The owner's comfort setting: what everything that is played is multiplied by. Only who operates the ball may change it.
-import { complaint } from "./words.js";
+import { errorMessage } from "./words.js";
 
 export class Gain {
   /** `input`: a range from 0 to 1, with its output. */
-  constructor(input, link, say) {
+  constructor(input, link, showMessage) {
     this.input = input;
     this.link = link;
-    this.say = say;
+    this.showMessage = showMessage;
     input.addEventListener("input", () => this.show());
     input.addEventListener("change", () => this.set());
     // Somebody else may have changed it meanwhile; no notification tells.
-    document.addEventListener("visibilitychange", () => document.hidden || this.look());
+    document.addEventListener("visibilitychange", () => document.hidden || this.refresh());
   }
 
   describe(hello, { gain }) {
@@ -28,7 +28,7 @@ export class Gain {
     this.input.parentElement.querySelector("output").value = `${Math.round(100 * this.input.value)} %`;
   }
 
-  async look() {
+  async refresh() {
     const device = await this.link.call("device.describe").catch(() => null);
     if (device) this.put(device.gain);
   }
@@ -37,10 +37,10 @@ export class Gain {
     try {
       const { gain } = await this.link.call("output.set_gain", { gain: Number(this.input.value) });
       this.put(gain);
-      this.say(`everything plays with ${Math.round(100 * gain)} % of its strength`);
+      this.showMessage(`everything plays with ${Math.round(100 * gain)} % of its strength`);
     } catch (error) {
-      this.say(complaint(error), true);
-      this.look();
+      this.showMessage(errorMessage(error), true);
+      this.refresh();
     }
   }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The page's connection to the daemon: JSON-RPC on /ws, one message a frame. Comes back by itself.
-import { complaint } from "./words.js";
+import { errorMessage } from "./words.js";
 
 const kFirstPauseMs = 250;
 const kLongestPauseMs = 2000;
-const kPatienceMs = 3000;
+const kTimeoutMs = 3000;
 const kSecondMs = 300;
 /** In sessionStorage: each tab has a token of its own, until it is closed. */
 const kTokenKey = "hedgehog-token";
@@ -52,27 +52,27 @@ export class Link extends EventTarget {
     const socket = new WebSocket(this.url);
     this.socket = socket;
     // A daemon that is stopped in the debugger accepts, and never answers.
-    const patience = setTimeout(() => socket.close(), kPatienceMs);
+    const timeoutId = setTimeout(() => socket.close(), kTimeoutMs);
     socket.onopen = async () => {
       try {
         const hello = await this.call("hello", this.hello());
         const device = await this.call("device.describe");
         for (const { method, params } of this.begin) await this.call(method, params);
-        clearTimeout(patience);
+        clearTimeout(timeoutId);
         this.pauseMs = kFirstPauseMs;
         this.closeReason = null;
         this.ready = true;
-        this.heardAt = performance.now();
-        this.say("open", { hello, device });
+        this.receivedAt = performance.now();
+        this.emit("open", { hello, device });
       } catch (error) {
         if (error.code === kUnauthorized) this.lock(error);
-        else if (error instanceof Refused) this.closeReason = complaint(error).replace(/\.$/, "");
+        else if (error instanceof Refused) this.closeReason = errorMessage(error).replace(/\.$/, "");
         socket.close();
       }
     };
-    socket.onmessage = (message) => this.hear(JSON.parse(message.data));
+    socket.onmessage = (message) => this.receive(JSON.parse(message.data));
     socket.onclose = () => {
-      clearTimeout(patience);
+      clearTimeout(timeoutId);
       if (this.socket === socket) this.lost();
     };
   }
@@ -82,7 +82,7 @@ export class Link extends EventTarget {
     for (const { reject } of this.waiting.values()) reject(new Error("the daemon is gone"));
     this.waiting.clear();
     if (this.locked) return;
-    this.say("gone", { reason: this.closeReason, retryInMs: this.pauseMs });
+    this.emit("gone", { reason: this.closeReason, retryInMs: this.pauseMs });
     this.retry = setTimeout(() => this.connect(), this.pauseMs);
     this.pauseMs = Math.min(2 * this.pauseMs, kLongestPauseMs);
   }
@@ -92,7 +92,7 @@ export class Link extends EventTarget {
     this.locked = true;
     const wrong = this.token !== null;
     const retryAfterMs = data.retry_after_ms ?? 0;
-    this.say("locked", { wrong, retryAfterMs });
+    this.emit("locked", { wrong, retryAfterMs });
     if (retryAfterMs > 0) {
       // The daemon did not look at it; wrong ones of the same address, perhaps of others, came before.
       this.retry = setTimeout(() => this.connect(), retryAfterMs);
@@ -108,13 +108,13 @@ export class Link extends EventTarget {
     this.connect();
   }
 
-  hear(message) {
-    this.heardAt = performance.now();
+  receive(message) {
+    this.receivedAt = performance.now();
     if (message.method === "event" && message.params.type === "shutting_down") {
       this.closeReason = message.params.reason;
     }
     if (message.method) {
-      this.say(message.method, message.params);
+      this.emit(message.method, message.params);
       return;
     }
     const waiting = this.waiting.get(message.id);
@@ -123,13 +123,13 @@ export class Link extends EventTarget {
     else waiting?.resolve(message.result);
   }
 
-  say(type, detail) {
+  emit(type, detail) {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
   /** Since the daemon was last heard, ms. */
   silentMs() {
-    return performance.now() - (this.heardAt ?? 0);
+    return performance.now() - (this.receivedAt ?? 0);
   }
 
   call(method, params = {}) {
@@ -142,7 +142,7 @@ export class Link extends EventTarget {
   }
 
   /** Unanswered: for what is said again and again. */
-  tell(method, params = {}) {
+  notify(method, params = {}) {
     if (this.ready) this.socket.send(JSON.stringify({ jsonrpc: "2.0", method, params }));
   }
 
@@ -155,7 +155,7 @@ export class Link extends EventTarget {
     const elsewhere = new Promise((resolve, reject) => {
       const timer = setTimeout(() => {
         const socket = new WebSocket(this.url);
-        const patience = setTimeout(() => socket.close(), kPatienceMs);
+        const timeoutId = setTimeout(() => socket.close(), kTimeoutMs);
         socket.onopen = () => {
           socket.send(JSON.stringify({ jsonrpc: "2.0", id: 1, method: "hello", params: this.hello() }));
           socket.send('{"jsonrpc":"2.0","id":2,"method":"device.emergency_stop"}');
@@ -167,7 +167,7 @@ export class Link extends EventTarget {
           socket.close();
         };
         socket.onclose = () => {
-          clearTimeout(patience);
+          clearTimeout(timeoutId);
           reject(new Error("the daemon is gone"));
         };
       }, kSecondMs);

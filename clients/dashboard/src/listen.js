@@ -17,9 +17,9 @@ const kBefore = 3;
 export const azimuth = (left, right) => Math.round(90 - (2 * Math.atan2(right, left) * 180) / Math.PI);
 
 export class Listener {
-  /** `strength()`: {current_a, felt_a}. `heard(pushes)`: after each push; `ended()`: the file is over. */
-  constructor(link, { strength, heard, ended }) {
-    Object.assign(this, { link, strength, heard, ended });
+  /** `strength()`: {current_a, felt_a}. `onPushes(pushes)`: after each push; `ended()`: the file is over. */
+  constructor(link, { strength, onPushes, ended }) {
+    Object.assign(this, { link, strength, onPushes, ended });
     this.context = null;
   }
 
@@ -73,7 +73,7 @@ export class Listener {
       });
     }
     this.samples = new Float32Array(2048);
-    this.timer = setInterval(() => this.look(), kTickMs);
+    this.timer = setInterval(() => this.poll(), kTickMs);
   }
 
   power(analyser) {
@@ -96,7 +96,7 @@ export class Listener {
     return Number((felt + (1 - felt) * Math.min(1, amplitude)).toFixed(3));
   }
 
-  look() {
+  poll() {
     if (this.context?.state !== "running") return;
     const high = this.analysers.highpass.map((analyser) => this.power(analyser));
     const now = performance.now();
@@ -111,21 +111,21 @@ export class Listener {
   push([left, right], peak, now) {
     this.pushedAt = now;
     this.pushes += 1;
-    this.link.tell("effect.pulse", { direction: { azimuth_deg: azimuth(left.peak, right.peak) }, duration_ms: kPulseMs,
+    this.link.notify("effect.pulse", { direction: { azimuth_deg: azimuth(left.peak, right.peak) }, duration_ms: kPulseMs,
       current_a: this.strength().current_a, gain: this.level(peak) });
-    this.heard(this.pushes);
+    this.onPushes(this.pushes);
   }
 
   vibrate([left, right]) {
     const [l, r] = [left, right].map(({ mean }) => Math.sqrt(2 * mean));
     const louder = l >= r ? left : right;
     if (Math.max(l, r) < kSilence) {
-      if (this.vibrating) this.link.tell("effect.stop", { slot: "sound" });
+      if (this.vibrating) this.link.notify("effect.stop", { slot: "sound" });
       this.vibrating = false;
       return;
     }
     this.vibrating = true;
-    this.link.tell("effect.vibrate", { slot: "sound", direction: { azimuth_deg: azimuth(l, r) }, waveform: "sine",
+    this.link.notify("effect.vibrate", { slot: "sound", direction: { azimuth_deg: azimuth(l, r) }, waveform: "sine",
       frequency_hz: Math.min(kCrossoverHz, Math.max(20, Math.round(louder.frequency))),
       current_a: this.strength().current_a, gain: this.level(Math.max(l, r)), lease_ms: kLeaseMs });
   }
@@ -135,7 +135,7 @@ export class Listener {
     const { context, stream } = this;
     this.context = this.stream = null;
     for (const track of stream?.getTracks() ?? []) track.stop();
-    if (this.vibrating) this.link.tell("effect.stop", { slot: "sound" });
+    if (this.vibrating) this.link.notify("effect.stop", { slot: "sound" });
     this.vibrating = false;
     if (context && context.state !== "closed") await context.close();
   }

@@ -3,7 +3,7 @@
 import { Ball } from "./ball.js";
 import { Charts } from "./charts.js";
 import { Gain } from "./gain.js";
-import { happened } from "./happened.js";
+import { eventList } from "./event_list.js";
 import { Link } from "./link.js";
 import { Pad } from "./pad.js";
 import { Simulator } from "./simulator.js";
@@ -11,7 +11,7 @@ import { StateCard } from "./state.js";
 import { stopButton } from "./stop.js";
 import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
-import { amperes, complaint, counted, degrees, isHeatKnown, lasting, whither } from "./words.js";
+import { amperes, errorMessage, counted, degrees, isHeatKnown, lasting, whither } from "./words.js";
 
 const kTelemetry = {
   rate_hz: 25,
@@ -20,7 +20,7 @@ const kTelemetry = {
 };
 const $ = (id) => document.getElementById(id);
 
-function say(text, bad = false) {
+function showMessage(text, bad = false) {
   $("said").textContent = text;
   $("said").classList.toggle("bad", bad);
 }
@@ -30,16 +30,16 @@ const link = new Link("dashboard", [
   { method: "events.subscribe", params: { scope: "all" } },
 ]);
 const ball = new Ball($("ball"));
-const pad = new Pad($("pad"), link, say);
-const simulator = new Simulator($("simulator"), link, ball, say);
+const pad = new Pad($("pad"), link, showMessage);
+const simulator = new Simulator($("simulator"), link, ball, showMessage);
 const card = new StateCard($("arm"));
-const gain = new Gain($("gain"), link, say);
+const gain = new Gain($("gain"), link, showMessage);
 let charts = null;
 let limits = { current_a: 15 };
 watch(link);
 askForToken(link);
-happened($("happened"), link, say);
-stopButton(link, say);
+eventList($("happened"), link, showMessage);
+stopButton(link, showMessage);
 
 function begin({ detail: { hello, device } }) {
   limits = hello.limits;
@@ -109,7 +109,7 @@ link.addEventListener("telemetry", ({ detail: status }) => {
 ball.addEventListener("pin", ({ detail: pin }) => pad.play({ pin }));
 
 $("arm").addEventListener("click", () =>
-  link.call("device.arm").then(() => say("armed"), (error) => say(complaint(error), true)));
+  link.call("device.arm").then(() => showMessage("armed"), (error) => showMessage(errorMessage(error), true)));
 
 // For tests: what is drawn, as numbers.
 window.dashboard = { ball, link, charts: () => charts };

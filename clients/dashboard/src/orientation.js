@@ -8,7 +8,7 @@ import { Link } from "./link.js";
 import { stopButton } from "./stop.js";
 import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
-import { amperes, complaint, reason, whither } from "./words.js";
+import { amperes, errorMessage, reason, whither } from "./words.js";
 
 const kLeaseMs = 1000;
 const kRenewMs = 300;
@@ -23,7 +23,7 @@ const kStyles = {
 };
 const $ = (id) => document.getElementById(id);
 
-function say(text, bad = false) {
+function showMessage(text, bad = false) {
   $("said").textContent = text;
   $("said").classList.toggle("bad", bad);
 }
@@ -37,7 +37,7 @@ const ball = new Ball($("ball"));
 ball.showUp();
 watch(link);
 askForToken(link);
-stopButton(link, say);
+stopButton(link, showMessage);
 let simulated = false;
 let most = 15;
 let feed = null;
@@ -72,14 +72,14 @@ link.addEventListener("telemetry", ({ detail: status }) => {
 
 function over(why) {
   show(false);
-  say(`${why}; up is no longer shown.`, true);
+  showMessage(`${why}; up is no longer shown.`, true);
 }
 link.addEventListener("event", ({ detail: { type, effect: ended, reason: why } }) => {
   if (type !== "effect_ended" || ended !== effect || !indicating) return;
   effect = null;
   lapsed = kLapses.includes(why);
   if (!lapsed) over(why === "tripped" ? "The coils are off" : `The push was ${why}`);
-  else if (why === "orientation_lost") say("Which way is up is not known; the push comes back when it is.");
+  else if (why === "orientation_lost") showMessage("Which way is up is not known; the push comes back when it is.");
 });
 
 function request(quaternion) {
@@ -91,7 +91,7 @@ let sentAt = 0;
 function send(quaternion) {
   if (performance.now() - sentAt < kFeedMs) return;
   sentAt = performance.now();
-  link.tell(...request(quaternion));
+  link.notify(...request(quaternion));
 }
 ball.addEventListener("turn", ({ detail }) => {
   sentAt = 0;
@@ -105,9 +105,9 @@ async function start() {
   try {
     const begun = await link.call(method, { ...own, slot: "up", direction: "up", frame: "world", lease_ms: kLeaseMs });
     effect = begun.effect;
-    say("");
+    showMessage("");
   } catch (error) {
-    say(complaint(error), true);
+    showMessage(errorMessage(error), true);
     show(false);
   }
 }
@@ -120,18 +120,18 @@ function show(on) {
 }
 
 setInterval(() => {
-  if (indicating) link.tell("effect.update", { slot: "up" });
+  if (indicating) link.notify("effect.update", { slot: "up" });
 }, kRenewMs);
 $("indicate").addEventListener("click", () => {
   show(!indicating);
   if (indicating) start();
-  else link.tell("effect.stop", { slot: "up" });
+  else link.notify("effect.stop", { slot: "up" });
 });
 for (const radio of document.querySelectorAll("[name=style]")) {
   radio.addEventListener("change", () => indicating && start());
 }
 $("recenter").addEventListener("click", () =>
-  link.call("orientation.recenter").then(() => say("front is where it points now"), (error) => say(complaint(error), true)));
+  link.call("orientation.recenter").then(() => showMessage("front is where it points now"), (error) => showMessage(errorMessage(error), true)));
 
 const kStep = Math.PI / 24;
 const kKeys = { ArrowLeft: [-kStep, 0], ArrowRight: [kStep, 0], ArrowUp: [0, -kStep], ArrowDown: [0, kStep] };
@@ -166,7 +166,7 @@ async function turned(event) {
       await link.call(...request(quaternion));
     } catch (error) {
       removeEventListener("deviceorientation", turned);
-      $("sensor").textContent = complaint(error);
+      $("sensor").textContent = errorMessage(error);
       return;
     } finally {
       asking = false;

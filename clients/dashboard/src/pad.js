@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The pad: six sides, three kinds of effect, and the patterns that the daemon has. Also by arrow keys, and by clicking a pin of the ball.
-import { amperes, complaint, kStates, limitation } from "./words.js";
+import { amperes, errorMessage, kStates, limitation } from "./words.js";
 
 const kKeys = {
   ArrowUp: "front", ArrowDown: "back", ArrowLeft: "left", ArrowRight: "right", PageUp: "up", PageDown: "down",
 };
 /** What a side means to each kind of effect; of a circle it is the axis. */
-const kAsks = {
+const kPrompts = {
   pulse: "Push towards", vibrate: "Vibrate towards", pattern: "Play towards", circle: "Turn round this axis",
 };
 
 export class Pad {
-  /** `say(text, bad)`: one line for the person. */
-  constructor(root, link, say) {
+  /** `showMessage(text, bad)`: one line for the person. */
+  constructor(root, link, showMessage) {
     this.root = root;
     this.link = link;
-    this.say = say;
+    this.showMessage = showMessage;
     this.form = root.querySelector("form");
     this.form.addEventListener("submit", (event) => event.preventDefault());
     this.form.addEventListener("input", () => this.show());
@@ -24,7 +24,7 @@ export class Pad {
     }
     for (const radio of this.form.elements.kind) {
       // Others may have put and removed patterns meanwhile.
-      radio.addEventListener("change", () => radio.value === "pattern" && this.offer());
+      radio.addEventListener("change", () => radio.value === "pattern" && this.loadPatterns());
     }
     root.querySelector("[data-stop-mine]").addEventListener("click", () => this.stop());
     addEventListener("keydown", (event) => this.key(event));
@@ -46,7 +46,7 @@ export class Pad {
     this.limits = hello.limits;
     this.form.elements.strength.max = hello.limits.current_a;
     this.set({ connected: true, may: hello.role !== "observe", state: hello.state });
-    this.offer();
+    this.loadPatterns();
     this.show();
   }
 
@@ -67,7 +67,7 @@ export class Pad {
   }
 
   /** The patterns there are; what was chosen stays so, and a call that fails leaves those that were known. */
-  async offer() {
+  async loadPatterns() {
     const { patterns } = await this.link.call("pattern.list").catch(() => ({}));
     if (!patterns) return;
     const select = this.form.elements.pattern;
@@ -87,7 +87,7 @@ export class Pad {
     const kind = this.form.elements.kind.value;
     const blocker = this.blocker();
     this.root.dataset.kind = kind;
-    this.root.querySelector("#ask").textContent = blocker || kAsks[kind];
+    this.root.querySelector("#ask").textContent = blocker || kPrompts[kind];
     for (const control of this.form.elements) control.disabled = blocker !== "";
     for (const button of this.form.querySelectorAll("[data-direction]")) {
       button.textContent = kind === "circle" ? `axis ${button.dataset.direction}` : button.dataset.direction;
@@ -119,7 +119,7 @@ export class Pad {
   async play(direction) {
     const blocker = this.blocker();
     if (blocker) {
-      this.say(blocker, true);
+      this.showMessage(blocker, true);
       return;
     }
     const [method, params] = this.request(direction);
@@ -128,18 +128,18 @@ export class Pad {
       const side = typeof direction === "string" ? direction : `pin ${direction.pin}`;
       const where = method === "effect.circle" ? `axis ${side}` : side;
       const less = limitation(admission.limited_by);
-      this.say(`${where}: ${amperes(admission.current_a)}, ${(1000 * admission.force_n).toFixed(0)} mN at pin ${admission.pin}${less}`);
+      this.showMessage(`${where}: ${amperes(admission.current_a)}, ${(1000 * admission.force_n).toFixed(0)} mN at pin ${admission.pin}${less}`);
     } catch (error) {
-      this.say(complaint(error), true);
+      this.showMessage(errorMessage(error), true);
     }
   }
 
   async stop() {
     try {
       await this.link.call("effect.stop_all");
-      this.say("effects of this page ended");
+      this.showMessage("effects of this page ended");
     } catch (error) {
-      this.say(complaint(error), true);
+      this.showMessage(errorMessage(error), true);
     }
   }
 }

@@ -2,7 +2,7 @@
 // A hand on the key frames of the ball: a press chooses one, a drag moves it, and a click beside them puts a new one.
 
 /** What moves less is a click, pixels. */
-const kStill = 6;
+const kMaxStillPx = 6;
 
 export class PathEditor {
   /**
@@ -24,7 +24,7 @@ export class PathEditor {
     const index = this.path.pick(event);
     this.press = { id: event.pointerId, from: [event.clientX, event.clientY], index, moved: false };
     if (index < 0) return;
-    this.ball.look.enableRotate = false;
+    this.ball.orbit.enableRotate = false;
     this.choose(index);
   }
 
@@ -35,7 +35,7 @@ export class PathEditor {
       return;
     }
     if (event.pointerId !== press.id) return;
-    press.moved ||= Math.hypot(event.clientX - press.from[0], event.clientY - press.from[1]) >= kStill;
+    press.moved ||= Math.hypot(event.clientX - press.from[0], event.clientY - press.from[1]) >= kMaxStillPx;
     const direction = press.moved && press.index >= 0 ? this.path.directionAt(event) : null;
     if (direction) this.move(press.index, direction);
   }
@@ -52,7 +52,7 @@ export class PathEditor {
     const { press } = this;
     this.press = null;
     if (!press || press.index < 0) return;
-    this.ball.look.enableRotate = true;
+    this.ball.orbit.enableRotate = true;
     if (press.moved) this.moved();
   }
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Only with the simulator: turning the ball, and breaking it.
-import { complaint, kFaults } from "./words.js";
+import { errorMessage, kFaults } from "./words.js";
 
 const kTurnEveryMs = 33;
 const kStep = Math.PI / 12;
 
 export class Simulator {
-  constructor(root, link, ball, say) {
+  constructor(root, link, ball, showMessage) {
     this.root = root;
     this.link = link;
     this.ball = ball;
-    this.say = say;
+    this.showMessage = showMessage;
     const select = root.querySelector("[name=fault]");
     select.replaceChildren(...Object.entries(kFaults).map(([name, words]) => new Option(words, name)));
     select.addEventListener("change", () => this.set({ fault: select.value ? { faults: [select.value] } : {} }));
@@ -35,7 +35,7 @@ export class Simulator {
     try {
       return await this.link.call("sim.set", params);
     } catch (error) {
-      this.say(complaint(error), true);
+      this.showMessage(errorMessage(error), true);
       return null;
     }
   }
@@ -49,7 +49,7 @@ export class Simulator {
     this.next = quaternion;
     this.timer ??= setTimeout(() => {
       this.timer = null;
-      this.link.tell("sim.set", { orientation: this.next });
+      this.link.notify("sim.set", { orientation: this.next });
     }, kTurnEveryMs);
   }
 }

@@ -2,14 +2,14 @@
 // The stop button: by click, by Escape always, and by Space while no control has the focus.
 
 /** The answer may wait two seconds for the disk. */
-const kPatienceMs = 2500;
+const kTimeoutMs = 2500;
 /** Space is theirs while they have the focus. */
 const kControls = "a[href], button, input, select, textarea, summary, [contenteditable]";
 /** A mouse or thumb that has pressed one of these does not leave the focus there. */
 const kPressed = "button, summary, input[type=radio], input[type=checkbox]";
 
-/** Needs #stop and #unstopped (role=alert) on the page. `say(text, bad)`: one line for the person. */
-export function stopButton(link, say) {
+/** Needs #stop and #unstopped (role=alert) on the page. `showMessage(text, bad)`: one line for the person. */
+export function stopButton(link, showMessage) {
   const button = document.getElementById("stop");
   const failure = document.getElementById("unstopped");
   const fail = (text) => {
@@ -18,22 +18,22 @@ export function stopButton(link, say) {
   };
   const stop = async () => {
     button.classList.add("pressed");
-    let told = false;
+    let reported = false;
     const unconfirmed = () => {
       button.classList.remove("pressed");
-      if (!told) fail("The daemon does not confirm the stop. Its board switches the coils off 100 ms after its last set-point; to be sure, pull the plug.");
-      told = true;
+      if (!reported) fail("The daemon does not confirm the stop. Its board switches the coils off 100 ms after its last set-point; to be sure, pull the plug.");
+      reported = true;
     };
-    const patience = setTimeout(unconfirmed, kPatienceMs);
+    const timeoutId = setTimeout(unconfirmed, kTimeoutMs);
     try {
-      const answer = await link.emergencyStop();
+      const response = await link.emergencyStop();
       fail("");
-      say(answer?.on_disk === false
+      showMessage(response?.on_disk === false
         ? "coils off; not on disk yet, so a restart may forget it" : "coils off; latched until somebody arms the ball");
     } catch {
       unconfirmed();
     }
-    clearTimeout(patience);
+    clearTimeout(timeoutId);
     button.classList.remove("pressed");
   };
   link.addEventListener("open", () => fail(""));

@@ -58,7 +58,7 @@ export function reason(name) {
 }
 
 /** An event as a person would tell it, however little of it is there; of several of its kind how many. */
-export function happening(event) {
+export function eventText(event) {
   return single(event) + (event.count > 1 ? `, ${counted(event.count, "time")}` : "");
 }
 
@@ -128,7 +128,7 @@ const kLimits = {
 export const limitation = (name) => (name ? `, limited by ${kLimits[name] ?? words(name)}` : "");
 
 /** What an error says to a person: its sentence without the protocol's name of it. */
-export function complaint({ message, data }) {
+export function errorMessage({ message, data }) {
   const name = data?.name ? `${data.name}: ` : "";
   const sentence = name && message.startsWith(name) ? message.slice(name.length) : message;
   const text = sentence.replace(/^[a-z]+\.[a-z_]+: /, "");

@@ -35,7 +35,7 @@ function given(params) {
 export class BallCore extends Methods {
   #connectors;
   #hello;
-  #patienceMs;
+  #timeoutMs;
   #transport = null;
   #connecting = null;
   #lastId = 0;
@@ -51,11 +51,11 @@ export class BallCore extends Methods {
   /** What the daemon said of itself: server, role, limits. */
   hello = null;
 
-  constructor(connectors, { name = "javascript", patienceMs = 2000, token, onReconnect, onSubscriptionEnded } = {}) {
+  constructor(connectors, { name = "javascript", timeoutMs = 2000, token, onReconnect, onSubscriptionEnded } = {}) {
     super();
     this.#connectors = connectors;
     this.#hello = given({ client: name, protocol: "1", token });
-    this.#patienceMs = patienceMs;
+    this.#timeoutMs = timeoutMs;
     this.#onReconnect = onReconnect;
     this.#onSubscriptionEnded = onSubscriptionEnded;
   }
@@ -208,7 +208,7 @@ export class BallCore extends Methods {
         current = false;
         this.#end(reason);
       },
-      patienceMs: this.#patienceMs,
+      timeoutMs: this.#timeoutMs,
     });
     return {
       send: (text) => transport.send(text),
@@ -227,8 +227,8 @@ export class BallCore extends Methods {
       }
       const id = ++this.#lastId;
       const timer = setTimeout(
-        () => this.#end(`${method}: no response within ${this.#patienceMs / 1000} s`),
-        this.#patienceMs,
+        () => this.#end(`${method}: no response within ${this.#timeoutMs / 1000} s`),
+        this.#timeoutMs,
       );
       this.#pending.set(id, { resolve, reject, timer });
       this.#send({ id, method }, params);

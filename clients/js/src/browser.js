@@ -7,11 +7,11 @@ export * from "./error_codes.js";
 export * from "./errors.js";
 
 function connector(address) {
-  return ({ message, ended, patienceMs }) =>
+  return ({ message, ended, timeoutMs }) =>
     new Promise((resolve, reject) => {
       const socket = new WebSocket(address);
       let open = false;
-      const timer = setTimeout(() => socket.close(), patienceMs);
+      const timer = setTimeout(() => socket.close(), timeoutMs);
       socket.onopen = () => {
         open = true;
         clearTimeout(timer);

@@ -32,14 +32,14 @@ function mistaken(socket, { fingerprint }) {
 }
 
 function connector(address) {
-  return ({ message, ended, patienceMs }) =>
+  return ({ message, ended, timeoutMs }) =>
     new Promise((resolve, reject) => {
       const socket = connect(address);
       const decoder = new StringDecoder("utf8");
       let partial = "";
       let open = false;
       let cause = "the daemon closed it";
-      const timer = setTimeout(() => socket.destroy(new Error("no answer")), patienceMs);
+      const timer = setTimeout(() => socket.destroy(new Error("no answer")), timeoutMs);
       socket.setNoDelay(true);
       socket.on(address.tls ? "secureConnect" : "connect", () => {
         const mistake = mistaken(socket, address);

@@ -78,7 +78,7 @@ class MdnsExchange {
       return;
     }
     receive();
-    ask();
+    send_query();
   }
   MdnsExchange(const MdnsExchange&) = delete;
   MdnsExchange& operator=(const MdnsExchange&) = delete;
@@ -100,7 +100,7 @@ class MdnsExchange {
   std::vector<DiscoveredBall> balls() const { return answers_.balls(); }
 
  private:
-  void ask() {
+  void send_query() {
     const std::string query = answers_.query();
     const asio::ip::address_v4 group({224, 0, 0, 251});
     const std::uint16_t port = test_port();
@@ -113,14 +113,14 @@ class MdnsExchange {
       socket_.set_option(asio::ip::multicast::outbound_interface(interface), error);
       if (!error) socket_.send_to(asio::buffer(query), to, 0, error);
     }
-    ++asked_;
-    timer_.expires_at(begin_ + time_ * asked_ / kQueries);
+    ++queries_sent_;
+    timer_.expires_at(begin_ + time_ * queries_sent_ / kQueries);
     timer_.async_wait([this](const error_code& error) {
       if (error || done_) return;
-      if (asked_ == kQueries)
+      if (queries_sent_ == kQueries)
         done_ = true;
       else
-        ask();
+        send_query();
     });
   }
 
@@ -142,7 +142,7 @@ class MdnsExchange {
   asio::steady_timer timer_{io_};
   mdns::Answers answers_{random_id()};
   std::array<char, 16 * 1024> packet_{};
-  int asked_ = 0;
+  int queries_sent_ = 0;
   bool done_ = false;
   error_code failure_;
 };

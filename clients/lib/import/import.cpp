@@ -40,15 +40,15 @@ Outcome<Imported> made_of(Reading reading) {
 Outcome<Imported> import_pattern(std::string_view text) {
   if (text.size() > kMaxImportBytes) return bad_data("the file is larger than 4 MiB");
   const auto strict = protocol::parse_json(text, kMaxImportNesting);
-  const auto mended =
+  const auto parsed =
       strict ? strict : protocol::parse_json(without_trailing_commas(text), kMaxImportNesting);
-  if (!mended) return bad_data(strict.error().message);
-  const bool ahap = mended->find("Pattern") != nullptr;
-  if (!ahap && mended->find("perceptions") == nullptr) {
+  if (!parsed) return bad_data(strict.error().message);
+  const bool ahap = parsed->find("Pattern") != nullptr;
+  if (!ahap && parsed->find("perceptions") == nullptr) {
     return bad_data(
         "the file is neither AHAP (it has no \"Pattern\") nor hjif (no \"perceptions\")");
   }
-  auto reading = ahap ? read_ahap(*mended) : read_hjif(*mended);
+  auto reading = ahap ? read_ahap(*parsed) : read_hjif(*parsed);
   if (!reading) return reading.error();
   if (!strict) reading->notes.add("commas behind a last item are left out: JSON has none there");
   return made_of(*std::move(reading));

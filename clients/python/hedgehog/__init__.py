@@ -7,7 +7,7 @@
         ball.pulse("left", level=0.5)
         print(ball.status()["temperature_c"])
 
-`Ball` blocks, never longer than its patience; `AsyncBall` is the same for asyncio.
+`Ball` blocks, never longer than its timeout; `AsyncBall` is the same for asyncio.
 """
 
 from .aio import AsyncBall

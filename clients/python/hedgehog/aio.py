@@ -25,14 +25,14 @@ class AsyncBall(AsyncMethods):
         await ball.pulse("left", level=0.5)
     """
 
-    def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
+    def __init__(self, address: Optional[str] = None, *, name: str = "python", timeout_s: float = 2.0,
                  token: Optional[str] = None, fingerprint: Optional[str] = None,
                  on_reconnect: Optional[Callable[[Hello], None]] = None,
                  on_subscription_ended: Optional[Callable[[SubscriptionEnded], None]] = None) -> None:
         self._addresses = daemon_addresses(address, fingerprint=fingerprint)
         self._hello: Dict[str, Any] = {"client": name, "protocol": "1",
                                        "token": token or os.environ.get("HEDGEHOG_TOKEN") or None}
-        self._patience_s = patience_s
+        self._timeout_s = timeout_s
         self._backoff = Backoff()
         self._connecting = asyncio.Lock()
         self._writer: Optional[asyncio.StreamWriter] = None
@@ -156,7 +156,7 @@ class AsyncBall(AsyncMethods):
             raise NotConnected(str(error), self._backoff.remaining_s(now)) from error
         for address in addresses:
             try:
-                reader, self._writer = await asyncio.wait_for(_open(address), self._patience_s)
+                reader, self._writer = await asyncio.wait_for(_open(address), self._timeout_s)
                 break
             except (OSError, asyncio.TimeoutError) as error:
                 tried.append(address)
@@ -189,10 +189,10 @@ class AsyncBall(AsyncMethods):
         self._waiting[request] = arrived
         self._writer.write(line)
         try:
-            await asyncio.wait_for(arrived, self._patience_s)
+            await asyncio.wait_for(arrived, self._timeout_s)
             response = exchange.take_response(request)
         except asyncio.TimeoutError:
-            raise self._end("%s: no response within %g s" % (method, self._patience_s)) from None
+            raise self._end("%s: no response within %g s" % (method, self._timeout_s)) from None
         finally:
             self._waiting.pop(request, None)
             exchange.forget(request)

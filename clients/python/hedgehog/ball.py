@@ -29,7 +29,7 @@ class Ball(Methods):
     """A connection to the daemon; the effects of a connection end with it.
 
     address: "127.0.0.1:7586", "/run/hedgehog/hedgehogd.sock", "mdns://ball-7"; None: found as by every client (address.py).
-    name: of this program, as the daemon's log and `hedgehogctl clients` show it. patience_s: the longest that
+    name: of this program, as the daemon's log and `hedgehogctl clients` show it. timeout_s: the longest that
     connecting, and waiting for a response, take. token: of roles beyond those of this machine, else HEDGEHOG_TOKEN.
     fingerprint: of the daemon's certificate with "tls://host:port", else HEDGEHOG_FINGERPRINT.
     on_reconnect: called with the daemon's introduction after each connection but the first.
@@ -38,14 +38,14 @@ class Ball(Methods):
     its effects are not made again.
     """
 
-    def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
+    def __init__(self, address: Optional[str] = None, *, name: str = "python", timeout_s: float = 2.0,
                  token: Optional[str] = None, fingerprint: Optional[str] = None,
                  on_reconnect: Optional[Callable[[Hello], None]] = None,
                  on_subscription_ended: Optional[Callable[[SubscriptionEnded], None]] = None) -> None:
         self._addresses = daemon_addresses(address, fingerprint=fingerprint)
         self._hello: Dict[str, Any] = {"client": name, "protocol": "1",
                                        "token": token or os.environ.get("HEDGEHOG_TOKEN") or None}
-        self._patience_s = patience_s
+        self._timeout_s = timeout_s
         self._lock = threading.RLock()
         self._backoff = Backoff()
         self._socket: Optional[socket.socket] = None
@@ -111,25 +111,25 @@ class Ball(Methods):
                                **rumble_params(slot, strength, self.hello["limits"], params))
 
     def events(self, types: Optional[Iterable[EventType]] = None, *, scope: Optional[Scope] = None,
-               patience_s: Optional[float] = None) -> Iterator[Event]:
-        """Events as they come; ends when none came for `patience_s` (None: never). Raises NotConnected, and SubscriptionEnded when
+               timeout_s: Optional[float] = None) -> Iterator[Event]:
+        """Events as they come; ends when none came for `timeout_s` (None: never). Raises NotConnected, and SubscriptionEnded when
         a new connection could not renew them."""
         self.call("events.subscribe", types=list(types) if types is not None else None, scope=scope)
-        return cast(Iterator[Event], self._notifications("event", "events", patience_s))
+        return cast(Iterator[Event], self._notifications("event", "events", timeout_s))
 
     def telemetry(self, rate_hz: float = 10.0, fields: Optional[Iterable[TelemetryField]] = None, *,
-                  patience_s: Optional[float] = None) -> Iterator[Telemetry]:
+                  timeout_s: Optional[float] = None) -> Iterator[Telemetry]:
         """The status again and again. Raises as `events`."""
         self.call("telemetry.subscribe", rate_hz=rate_hz, fields=list(fields) if fields is not None else None)
-        return cast(Iterator[Telemetry], self._notifications("telemetry", "telemetry", patience_s))
+        return cast(Iterator[Telemetry], self._notifications("telemetry", "telemetry", timeout_s))
 
-    def next_notification(self, patience_s: float = 0.0) -> Optional[Tuple[str, Mapping[str, Any]]]:
+    def next_notification(self, timeout_s: float = 0.0) -> Optional[Tuple[str, Mapping[str, Any]]]:
         """The next notification, as method and parameters; None: none came. Raises NotConnected."""
-        return self._next(patience_s)
+        return self._next(timeout_s)
 
-    def _next(self, patience_s: float, kind: str = "") -> Optional[Tuple[str, Mapping[str, Any]]]:
+    def _next(self, timeout_s: float, kind: str = "") -> Optional[Tuple[str, Mapping[str, Any]]]:
         """`kind`: raises when that subscription has ended and nothing is left of it."""
-        deadline = time.monotonic() + patience_s
+        deadline = time.monotonic() + timeout_s
         while True:
             # Others may call in between.
             with self._turn():
@@ -144,10 +144,10 @@ class Ball(Methods):
                 return None
             time.sleep(0)
 
-    def _notifications(self, method: str, kind: str, patience_s: Optional[float]) -> Iterator[Mapping[str, Any]]:
+    def _notifications(self, method: str, kind: str, timeout_s: Optional[float]) -> Iterator[Mapping[str, Any]]:
         while True:
-            received = self._next(patience_s if patience_s is not None else 3600.0, kind)
-            if received is None and patience_s is not None:
+            received = self._next(timeout_s if timeout_s is not None else 3600.0, kind)
+            if received is None and timeout_s is not None:
                 return
             if received is not None and received[0] == method:
                 yield received[1]
@@ -175,7 +175,7 @@ class Ball(Methods):
             raise NotConnected(str(error), self._backoff.remaining_s(now)) from error
         for address in addresses:
             try:
-                self._socket = _open(address, self._patience_s)
+                self._socket = _open(address, self._timeout_s)
                 break
             except OSError as error:
                 tried.append(address)
@@ -209,29 +209,29 @@ class Ball(Methods):
     def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
         request, line = self._exchange.request(method, params)
         self._send(line)
-        deadline = time.monotonic() + self._patience_s
+        deadline = time.monotonic() + self._timeout_s
         while True:
             response = self._exchange.take_response(request)
             if response is not None:
                 return response[0]
             if not self._receive(deadline - time.monotonic()):
                 self._exchange.forget(request)
-                raise self._lost("%s: no response within %g s" % (method, self._patience_s))
+                raise self._lost("%s: no response within %g s" % (method, self._timeout_s))
 
     def _send(self, line: bytes) -> None:
         assert self._socket is not None
         try:
-            self._socket.settimeout(self._patience_s)
+            self._socket.settimeout(self._timeout_s)
             self._socket.sendall(line)
         except OSError as error:
             raise self._lost(error.strerror or str(error)) from error
 
-    def _receive(self, patience_s: float) -> bool:
+    def _receive(self, timeout_s: float) -> bool:
         """Whether something came."""
         if self._socket is None:
             raise NotConnected("the connection to the daemon has ended")
         try:
-            self._socket.settimeout(max(patience_s, 0.0))
+            self._socket.settimeout(max(timeout_s, 0.0))
             data = self._socket.recv(1 << 16)
         except (socket.timeout, BlockingIOError, ssl.SSLWantReadError):
             return False
@@ -266,9 +266,9 @@ class Ball(Methods):
             self._socket = None
 
 
-def _open(address: Address, patience_s: float) -> socket.socket:
+def _open(address: Address, timeout_s: float) -> socket.socket:
     if isinstance(address, TlsAddress):
-        plain = _open((address.host, address.port), patience_s)
+        plain = _open((address.host, address.port), timeout_s)
         try:
             wrapped = tls_context(address).wrap_socket(plain, server_hostname=address.host)
         except BaseException:
@@ -283,14 +283,14 @@ def _open(address: Address, patience_s: float) -> socket.socket:
     # `locate` has replaced it.
     assert not isinstance(address, MdnsAddress)
     if not isinstance(address, str):
-        opened = socket.create_connection(address, patience_s)
+        opened = socket.create_connection(address, timeout_s)
         opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return opened
     if not hasattr(socket, "AF_UNIX"):
         raise OSError("this system has no Unix sockets")
     opened = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     try:
-        opened.settimeout(patience_s)
+        opened.settimeout(timeout_s)
         opened.connect(address)
     except OSError:
         opened.close()

@@ -76,7 +76,7 @@ BallLink::Received BallLink::listen() {
   if (!daemon_) received.arrived = poll_connect();
   for (int messages = 0; daemon_ && messages < kMessagesPerFrame; ++messages) {
     auto notification = daemon_->next(kNow);
-    while (auto answer = daemon_->answer()) received.answers.push_back(*std::move(answer));
+    while (auto response = daemon_->response()) received.responses.push_back(*std::move(response));
     if (!notification) {
       on_connection_lost(notification.error());
     } else if (!*notification) {
@@ -90,12 +90,12 @@ BallLink::Received BallLink::listen() {
   return received;
 }
 
-std::optional<protocol::Id> BallLink::ask(const protocol::Request& request) {
+std::optional<protocol::Id> BallLink::request(const protocol::Request& request) {
   // Requests queued at a silent daemon would all be felt at once when it resumes.
   if (!is_receiving()) return std::nullopt;
-  auto asked = daemon_->ask(request, kNow);
-  if (asked) return *std::move(asked);
-  on_connection_lost(asked.error());
+  auto sent = daemon_->request(request, kNow);
+  if (sent) return *std::move(sent);
+  on_connection_lost(sent.error());
   return std::nullopt;
 }
 

@@ -23,7 +23,7 @@ class BallLink {
   struct Received {
     bool arrived = false;  // a new connection: earlier requests are never answered
     std::vector<protocol::Status> statuses{};
-    std::vector<protocol::Reply> answers{};  // to `ask`
+    std::vector<protocol::Reply> responses{};  // to `request`
   };
 
   explicit BallLink(std::vector<client::Address> addresses);
@@ -35,7 +35,7 @@ class BallLink {
   /// Once a frame: what was received since; connects if there is no connection.
   Received listen();
   /// nullopt: not connected, or the daemon is silent.
-  std::optional<protocol::Id> ask(const protocol::Request& request);
+  std::optional<protocol::Id> request(const protocol::Request& request);
   void notify(const protocol::Request& request);
 
   /// Connected and not silent.

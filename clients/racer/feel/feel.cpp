@@ -21,14 +21,14 @@ constexpr std::int64_t kLeaseMs = 150;
 constexpr std::int64_t kHitMs = 180;
 constexpr std::int64_t kLandingMs = 140;
 // Priorities: a blow masks the others; the tumble masks the skid.
-constexpr std::int64_t kBlow = 7;
+constexpr std::int64_t kImpactPriority = 7;
 constexpr std::int64_t kTumble = 6;
 constexpr std::int64_t kSkid = 5;
 // Relative to full strength: a lasting effect is weaker than the strongest blow.
 constexpr double kTumbleStrength = 0.4;
 
 /// Why a refusal is permanent for this game; empty: it is temporary.
-std::string refusal_of_us(const protocol::RpcError& error) {
+std::string refusal_reason(const protocol::RpcError& error) {
   switch (error.code) {
     case ErrorCode::kClaimed:
       return "another client has the ball for itself";
@@ -69,9 +69,9 @@ void Feel::play_impact(const char* kind, const model::Vec3& direction, double im
   pulse.direction = direction;
   pulse.current_a = strength_of(step, limits().felt_a, full_a());
   pulse.duration_ms = duration_ms;
-  pulse.priority = kBlow;
-  if (auto asked = play(kind, direction, {EffectMethod::kPulse, pulse}))
-    pending_hits_.push_back(*std::move(asked));
+  pulse.priority = kImpactPriority;
+  if (auto sent = play(kind, direction, {EffectMethod::kPulse, pulse}))
+    pending_hits_.push_back(*std::move(sent));
   else
     ++summary_.refused;
 }
@@ -107,15 +107,15 @@ std::optional<protocol::Id> Feel::play(const char* kind, const model::Vec3& dire
   const double current_a = std::min(effect.params.current_a.value_or(0.0), max_a);
   effect.params.current_a = current_a;
   // Requested even if the last one was refused, to detect when the game may play again.
-  auto asked = ask(effect);
-  played_.push_back({kind, direction, current_a, max_a, asked && refused_.empty()});
-  return asked;
+  auto sent = request(effect);
+  played_.push_back({kind, direction, current_a, max_a, sent && refused_.empty()});
+  return sent;
 }
 
 void Feel::pause() { link_.notify(protocol::EffectStopAll{}); }
 
-std::optional<protocol::Id> Feel::ask(const protocol::Request& request) {
-  return ball_.state == "armed" ? link_.ask(request) : std::nullopt;
+std::optional<protocol::Id> Feel::request(const protocol::Request& request) {
+  return ball_.state == "armed" ? link_.request(request) : std::nullopt;
 }
 
 void Feel::listen() {
@@ -124,9 +124,9 @@ void Feel::listen() {
     received_ns_ = 0;
     refused_.clear();
     if (link_.hello().role == protocol::Role::kObserve)
-      refused_ = refusal_of_us({.code = ErrorCode::kForbidden, .message = {}});
+      refused_ = refusal_reason({.code = ErrorCode::kForbidden, .message = {}});
   }
-  for (const auto& answer : received.answers) take(answer);
+  for (const auto& response : received.responses) take(response);
   for (const auto& status : received.statuses) take(status);
   if (link_.is_receiving()) return;
   summary_.refused += static_cast<int>(pending_hits_.size());
@@ -137,15 +137,15 @@ void Feel::listen() {
   ball_.late = link_.is_late();
 }
 
-void Feel::take(const protocol::Reply& answer) {
-  if (answer.result)
+void Feel::take(const protocol::Reply& response) {
+  if (response.result)
     refused_.clear();
-  else if (auto why = refusal_of_us(answer.result.error()); !why.empty())
+  else if (auto why = refusal_reason(response.result.error()); !why.empty())
     refused_ = std::move(why);
-  const auto play_impact = std::find(pending_hits_.begin(), pending_hits_.end(), answer.id);
-  if (play_impact == pending_hits_.end()) return;
-  pending_hits_.erase(play_impact);
-  ++(answer.result ? summary_.pulses : summary_.refused);
+  const auto pending = std::find(pending_hits_.begin(), pending_hits_.end(), response.id);
+  if (pending == pending_hits_.end()) return;
+  pending_hits_.erase(pending);
+  ++(response.result ? summary_.pulses : summary_.refused);
 }
 
 void Feel::take(const protocol::Status& status) {

@@ -42,12 +42,12 @@ class Feel {
   const BallReport& ball() const noexcept { return ball_; }
   const BallSummary& summary() const noexcept { return summary_; }
   /// Every blow has a response.
-  bool answered() const noexcept { return pending_hits_.empty(); }
+  bool all_answered() const noexcept { return pending_hits_.empty(); }
 
  private:
   void listen();
   void take(const protocol::Status& status);
-  void take(const protocol::Reply& answer);
+  void take(const protocol::Reply& response);
   void play(const Hit& hit);
   void play(const Landing& landing);
   void play(const Skid& skid);
@@ -63,7 +63,7 @@ class Feel {
   /// Limits of this ball.
   const protocol::HelloLimits& limits() const { return link_.hello().limits; }
   /// The id of the request; nullopt: not connected or not armed.
-  std::optional<protocol::Id> ask(const protocol::Request& request);
+  std::optional<protocol::Id> request(const protocol::Request& request);
 
   BallLink link_;
   Gain gain_;

@@ -146,7 +146,7 @@ Result<void> run_participant_page(const std::filesystem::path& path,
       for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
         const Cue cue = decode_cue(pending.substr(0, end));
         if (std::exchange(phase, cue.phase) != Phase::kQuestion && phase == Phase::kQuestion)
-          terminal.forget();  // keys pressed before the question are discarded
+          terminal.discard_keys();  // keys pressed before the question are discarded
         terminal.draw(participant_lines(cue));
         pending.erase(0, end + 1);
       }

@@ -82,9 +82,9 @@ class DeviceView {
   /// s; nullopt: unlimited.
   std::optional<double> cold_burst_s() const noexcept;
   RemedyFacts remedy_facts() const;
-  /// `look`: returns the state of the board on its bus.
-  void set_board_info_source(std::function<BoardInfo()> look) {
-    board_info_source_ = std::move(look);
+  /// `scan`: returns the state of the board on its bus.
+  void set_board_info_source(std::function<BoardInfo()> scan) {
+    board_info_source_ = std::move(scan);
   }
   /// The version of the board's frames, "1.2"; nullopt: no board is present.
   std::optional<std::string> board_protocol() const;

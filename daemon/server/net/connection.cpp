@@ -85,7 +85,7 @@ asio::awaitable<void> Connection::run() {
   server_.close(session_);
   while (!finishing_) co_await wait(pending_timer_);
   // At a shutdown the listener finishes connections with pending responses.
-  server_.forget(session_);
+  server_.drop_responses(session_);
   spdlog::log(session_.locked ? spdlog::level::debug : spdlog::level::info,
               "connection {} closed{}", session_.id,
               session_.client.empty() ? "" : " (" + session_.client + ")");

@@ -84,7 +84,7 @@ void Server::close(Session& session) {
   release();
 }
 
-void Server::forget(const Session& session) {
+void Server::drop_responses(const Session& session) {
   context_.sessions.erase(session.id);
   std::erase(closing_, session.id);
 }

@@ -60,7 +60,7 @@ class Server {
   /// requests it stays open: call again after the last of them.
   void close(Session& session);
   /// Its sink is about to be destroyed; pending responses are lost.
-  void forget(const Session& session);
+  void drop_responses(const Session& session);
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
   /// True if it must not wait behind others: one of its requests is an emergency stop.

@@ -11,7 +11,7 @@
 #include "tests/server/server_rig.h"
 
 /// A name that callgrind's --toggle-collect finds.
-extern "C" [[gnu::noinline]] void hedgehog_counted(const std::function<void()>& once) { once(); }
+extern "C" [[gnu::noinline]] void hedgehog_counted(const std::function<void()>& work) { work(); }
 
 namespace hedgehog::server {
 namespace {
@@ -30,18 +30,18 @@ constexpr const char* kSubscribe =
     R"({"jsonrpc":"2.0","id":1,"method":"telemetry.subscribe",)"
     R"("params":{"rate_hz":100,"fields":["state","temperature_c","current_a"]}})";
 
-class Counting {
+class CountedRig {
  public:
   void requests(const char* line, int ticks) {
-    count_if_wanted([&] { rig_.server->line(client_.session, line); });
+    count_if_enabled([&] { rig_.server->line(client_.session, line); });
     for (int i = 0; i < ticks; ++i) tick([&](auto run) { run(); }, [&](auto pump) { pump(); });
     client_.lines.clear();
   }
   void control_tick() {
-    tick([&](auto run) { count_if_wanted(run); }, [&](auto pump) { pump(); });
+    tick([&](auto run) { count_if_enabled(run); }, [&](auto pump) { pump(); });
   }
   void server_pump() {
-    tick([&](auto run) { run(); }, [&](auto pump) { count_if_wanted(pump); });
+    tick([&](auto run) { run(); }, [&](auto pump) { count_if_enabled(pump); });
     client_.lines.clear();
   }
   void send(const char* line) {
@@ -52,11 +52,11 @@ class Counting {
   bool is_armed() const { return rig_.device_view->now().state == control::State::kArmed; }
 
  private:
-  void count_if_wanted(const std::function<void()>& once) {
+  void count_if_enabled(const std::function<void()>& work) {
     if (counts_)
-      hedgehog_counted(once);
+      hedgehog_counted(work);
     else
-      once();
+      work();
   }
   template <class Run, class Pump>
   void tick(Run run, Pump pump) {
@@ -72,26 +72,26 @@ class Counting {
 };
 
 /// The operations that can be counted, each executed once.
-const std::map<std::string, std::function<void(Counting&)>>& things() {
-  static const std::map<std::string, std::function<void(Counting&)>> kAll{
-      {"ping", [](Counting& c) { c.requests(kPing, 0); }},
-      {"device.status", [](Counting& c) { c.requests(kStatus, 0); }},
-      {"effect.pulse", [](Counting& c) { c.requests(kPulse, kPulseTicks); }},
-      {"tick", [](Counting& c) { c.control_tick(); }},
-      {"pump", [](Counting& c) { c.server_pump(); }},
+const std::map<std::string, std::function<void(CountedRig&)>>& cases() {
+  static const std::map<std::string, std::function<void(CountedRig&)>> kAll{
+      {"ping", [](CountedRig& c) { c.requests(kPing, 0); }},
+      {"device.status", [](CountedRig& c) { c.requests(kStatus, 0); }},
+      {"effect.pulse", [](CountedRig& c) { c.requests(kPulse, kPulseTicks); }},
+      {"tick", [](CountedRig& c) { c.control_tick(); }},
+      {"pump", [](CountedRig& c) { c.server_pump(); }},
   };
   return kAll;
 }
 
 int run(const std::string& what, int times) {
-  const auto found = things().find(what);
-  if (found == things().end() || times < 1) {
+  const auto found = cases().find(what);
+  if (found == cases().end() || times < 1) {
     std::cerr << "instructions WHAT TIMES; WHAT:";
-    for (const auto& [name, once] : things()) std::cerr << ' ' << name;
+    for (const auto& [name, work] : cases()) std::cerr << ' ' << name;
     std::cerr << '\n';
     return EXIT_FAILURE;
   }
-  Counting counting;
+  CountedRig counting;
   // Ticks and pumps are counted with an active effect and a subscribed client.
   if (what == "tick") counting.send(kHold);
   if (what == "pump") counting.send(kSubscribe);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kOutputPatienceMs = 60'000;
+constexpr int kOutputTimeoutMs = 60'000;
 
 }  // namespace
 
@@ -66,7 +66,7 @@ std::optional<std::string> Child::line() {
   for (std::size_t end = 0; (end = read_.find('\n')) == read_.npos;) {
     std::array<char, 4096> bytes;
     pollfd readable{out_, POLLIN, 0};
-    if (::poll(&readable, 1, kOutputPatienceMs) != 1) return std::nullopt;
+    if (::poll(&readable, 1, kOutputTimeoutMs) != 1) return std::nullopt;
     const ssize_t count = ::read(out_, bytes.data(), bytes.size());
     if (count <= 0) return std::nullopt;
     read_.append(bytes.data(), static_cast<std::size_t>(count));

@@ -17,7 +17,7 @@
 namespace hedgehog::bench {
 namespace {
 
-constexpr timeval kPatience{60, 0};
+constexpr timeval kTimeout{60, 0};
 
 sockaddr_in loopback(int port) {
   sockaddr_in address{};
@@ -32,7 +32,7 @@ sockaddr_in loopback(int port) {
 Client::Client(int port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const int on = 1;
   const sockaddr_in address = loopback(port);
-  ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &kPatience, sizeof kPatience);
+  ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &kTimeout, sizeof kTimeout);
   if (fd_ < 0 || ::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     if (fd_ >= 0) ::close(fd_);
     throw std::runtime_error("no connection to port " + std::to_string(port));
@@ -70,7 +70,7 @@ std::string Client::line() {
   return found;
 }
 
-std::string Client::answer(std::string_view request) {
+std::string Client::call(std::string_view request) {
   send(request);
   for (;;) {
     std::string found = line();
@@ -86,7 +86,7 @@ void Client::skip(std::size_t bytes) {
 }
 
 Client connect_when_listening(int port) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience.tv_sec);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(kTimeout.tv_sec);
   for (;;) {
     try {
       return Client(port);

@@ -24,7 +24,7 @@ class Client {
   /// The next line without its LF.
   std::string line();
   /// Sends a line, with its LF, and returns the next line that is not a notification.
-  std::string answer(std::string_view request);
+  std::string call(std::string_view request);
   /// Waits for `bytes` of any content.
   void skip(std::size_t bytes);
   int descriptor() const noexcept { return fd_; }

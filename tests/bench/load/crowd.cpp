@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kAnswerPatienceMs = 60'000;
+constexpr int kResponseTimeoutMs = 60'000;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Crowd::Crowd(int port, std::size_t clients, std::size_t in_flight, std::string_v
   for (std::size_t i = 0; i < in_flight; ++i) requests_ += request;
   for (std::size_t i = 0; i < clients; ++i) {
     Client& client = clients_.emplace_back(port);
-    client.answer(request);
+    client.call(request);
     epoll_event event{};
     event.events = EPOLLIN;
     event.data.u64 = i;
@@ -48,18 +48,18 @@ Crowd::Crowd(int port, std::size_t clients, std::size_t in_flight, std::string_v
 Crowd::~Crowd() { ::close(poll_); }
 
 std::size_t Crowd::run(double seconds) {
-  std::size_t answers = 0;
-  std::size_t under_way = 0;
+  std::size_t responses = 0;
+  std::size_t pending = 0;
   const auto until = Clock::now() + std::chrono::duration<double>(seconds);
   for (Client& client : clients_) {
     client.send(requests_);
-    under_way += requests_.size() / request_bytes_;
+    pending += requests_.size() / request_bytes_;
   }
   std::array<epoll_event, 64> ready{};
   std::array<char, 64 * 1024> bytes;
-  for (bool going = true; under_way > 0;) {
-    going = going && Clock::now() < until;
-    const int count = ::epoll_wait(poll_, ready.data(), ready.size(), kAnswerPatienceMs);
+  for (bool sending = true; pending > 0;) {
+    sending = sending && Clock::now() < until;
+    const int count = ::epoll_wait(poll_, ready.data(), ready.size(), kResponseTimeoutMs);
     if (count <= 0) throw std::runtime_error("a server does not answer");
     for (int i = 0; i < count; ++i) {
       Client& client = clients_[ready[static_cast<std::size_t>(i)].data.u64];
@@ -67,14 +67,14 @@ std::size_t Crowd::run(double seconds) {
       if (got <= 0) throw std::runtime_error("a server closed its connection");
       const auto lines =
           static_cast<std::size_t>(std::count(bytes.begin(), bytes.begin() + got, '\n'));
-      under_way -= lines;
-      answers += lines;
-      if (!going) continue;
+      pending -= lines;
+      responses += lines;
+      if (!sending) continue;
       client.send(std::string_view(requests_).substr(0, lines * request_bytes_));
-      under_way += lines;
+      pending += lines;
     }
   }
-  return answers;
+  return responses;
 }
 
 }  // namespace hedgehog::bench

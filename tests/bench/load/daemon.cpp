@@ -11,7 +11,7 @@ namespace {
 nlohmann::json call(int port, const std::string& method) {
   Client client(port);
   return nlohmann::json::parse(
-      client.answer(R"({"jsonrpc":"2.0","id":1,"method":")" + method + "\"}\n"));
+      client.call(R"({"jsonrpc":"2.0","id":1,"method":")" + method + "\"}\n"));
 }
 
 Daemon::Quantiles quantiles_of(const nlohmann::json& us) {

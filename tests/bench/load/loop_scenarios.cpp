@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "daemon/device/tick_clock.h"
-#include "tests/bench/load/beside.h"
 #include "tests/bench/load/child.h"
 #include "tests/bench/load/client.h"
+#include "tests/bench/load/concurrently.h"
 #include "tests/bench/load/crowd.h"
 #include "tests/bench/load/daemon.h"
 #include "tests/bench/load/scenarios.h"
@@ -78,10 +78,10 @@ void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup
 
 void play_many_effects(Client& client) {
   for (int i = 0; i < kEffectsOfClient; ++i) {
-    client.answer(R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"s)" +
-                  std::to_string(i) +
-                  R"(","waveform":"sine","frequency_hz":60,"current_a":0.1,"lease_ms":10000}})"
-                  "\n");
+    client.call(R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"s)" +
+                std::to_string(i) +
+                R"(","waveform":"sine","frequency_hz":60,"current_a":0.1,"lease_ms":10000}})"
+                "\n");
   }
 }
 
@@ -110,8 +110,8 @@ void measure_lateness(const Setup& setup, Figures& figures) {
 void measure_lateness_under_requests(const Setup& setup, Figures& figures) {
   const Daemon daemon(setup.daemon());
   Crowd crowd(daemon.port(), kCrowd, 1);
-  beside([&] { crowd.run(setup.seconds + kSumS); },
-         [&] { add_lateness("requests lateness", daemon, setup, figures); });
+  concurrently([&] { crowd.run(setup.seconds + kSumS); },
+               [&] { add_lateness("requests lateness", daemon, setup, figures); });
 }
 
 void measure_lateness_under_stress(const Setup& setup, Figures& figures) {
@@ -161,8 +161,8 @@ void measure_idle(const Setup& setup, Figures& figures) {
     const Daemon daemon(setup.daemon());
     {
       Client client(daemon.port());
-      client.answer(R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})"
-                    "\n");
+      client.call(R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})"
+                  "\n");
     }
     wait(0.1);
     figures["idle daemon disarmed_percent"] = share_percent(daemon.process(), setup.seconds);
@@ -170,7 +170,7 @@ void measure_idle(const Setup& setup, Figures& figures) {
   const auto daemon_with_client = [&] {
     const Daemon daemon(setup.daemon());
     Client client(daemon.port());
-    client.answer(kPing);
+    client.call(kPing);
     figures["idle daemon percent"] = share_percent(daemon.process(), setup.seconds);
   };
   in_turn(setup.round, {loop, daemon_alone, daemon_with_client});

@@ -83,11 +83,12 @@ void compare(const bench::Scenario& scenario, const Options& options, const benc
   own.with_references = false;
   bench::Setup other = own;
   other.build = options.other;
-  bench::Figures theirs;
-  bench::in_turn(setup.round, {[&] { measure(scenario, other, theirs); },
+  bench::Figures other_figures;
+  bench::in_turn(setup.round, {[&] { measure(scenario, other, other_figures); },
                                [&] { measure(scenario, own, figures); }});
-  for (const auto& [name, value] : theirs.values) figures[bench::kOther + name] = value;
-  for (const auto& [name, why] : theirs.left_out) figures.left_out[bench::kOther + name] = why;
+  for (const auto& [name, value] : other_figures.values) figures[bench::kOther + name] = value;
+  for (const auto& [name, reason] : other_figures.left_out)
+    figures.left_out[bench::kOther + name] = reason;
 }
 
 std::vector<bench::Figures> measure_rounds(const Options& options) {

@@ -25,11 +25,11 @@ constexpr const char* kNotificationsHz = "10000";
 void add_memory(const std::string& name, const Child& server, int port, std::size_t connections,
                 Figures& figures) {
   Client first(port);
-  first.answer(kPing);
+  first.call(kPing);
   const double before_kb = server.resident_kb();
   std::vector<Client> clients;
   clients.reserve(connections);
-  for (std::size_t i = 0; i < connections; ++i) clients.emplace_back(port).answer(kPing);
+  for (std::size_t i = 0; i < connections; ++i) clients.emplace_back(port).call(kPing);
   figures["memory " + name + " mb"] = before_kb / 1024.0;
   figures["memory " + name + " connection_kb"] =
       (server.resident_kb() - before_kb) / static_cast<double>(connections);
@@ -67,12 +67,12 @@ void measure_start(const Setup& setup, Figures& figures) {
   const auto begun = std::chrono::steady_clock::now();
   const Daemon daemon(setup.daemon());
   Client client(daemon.port());
-  const std::string answer = client.answer(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
+  const std::string response = client.call(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
                                            R"("params":{"direction":"left"}})"
                                            "\n");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-  if (answer.find(R"("accepted":true)") == answer.npos)
-    throw std::runtime_error("the first pulse was not accepted: " + answer);
+  if (response.find(R"("accepted":true)") == response.npos)
+    throw std::runtime_error("the first pulse was not accepted: " + response);
   figures["start daemon ms"] = 1e3 * took.count();
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "daemon/device/tick_clock.h"
-#include "tests/bench/load/beside.h"
 #include "tests/bench/load/client.h"
+#include "tests/bench/load/concurrently.h"
 #include "tests/bench/load/crowd.h"
 #include "tests/bench/load/daemon.h"
 #include "tests/bench/load/scenarios.h"
@@ -23,9 +23,9 @@ constexpr double kTickUs = 1000.0;
 /// Device time, in ms (ticks), from sending a pulse to the tick that begins it.
 std::vector<double> pulse_delays(int port, double seconds) {
   Client client(port);
-  client.answer(R"({"jsonrpc":"2.0","id":1,"method":"events.subscribe",)"
-                R"("params":{"types":["effect_started"]}})"
-                "\n");
+  client.call(R"({"jsonrpc":"2.0","id":1,"method":"events.subscribe",)"
+              R"("params":{"types":["effect_started"]}})"
+              "\n");
   std::minstd_rand random(7);
   std::uniform_int_distribution<int> pause_us(2000, 6000);
   std::vector<double> delays;
@@ -59,8 +59,8 @@ void measure_pulse(const Setup& setup, Figures& figures) {
   add_pulses(Daemon(setup.daemon()), "pulse", setup.seconds, figures);
   const Daemon daemon(setup.daemon());
   Crowd crowd(daemon.port(), kCrowd, 1);
-  beside([&] { crowd.run(1.2 * setup.seconds); },
-         [&] { add_pulses(daemon, "busy pulse", setup.seconds, figures); });
+  concurrently([&] { crowd.run(1.2 * setup.seconds); },
+               [&] { add_pulses(daemon, "busy pulse", setup.seconds, figures); });
 }
 
 }  // namespace hedgehog::bench

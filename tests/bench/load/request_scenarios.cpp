@@ -36,7 +36,7 @@ void ping(const std::string& name, const Child& server, int port, double seconds
           Figures& figures) {
   Client client(port);
   add_round_trips(
-      name, server, seconds, [&] { client.answer(kPing); }, figures);
+      name, server, seconds, [&] { client.call(kPing); }, figures);
 }
 
 /// The same command with stderr discarded.
@@ -63,7 +63,7 @@ void ping_gpsd(const Setup& setup, Figures& figures) {
   Client client = connect_when_listening(port);
   client.line();
   add_round_trips(
-      "gpsd", server, setup.seconds, [&] { client.answer("?VERSION;\n"); }, figures);
+      "gpsd", server, setup.seconds, [&] { client.call("?VERSION;\n"); }, figures);
 }
 
 void ping_mosquitto(const Setup& setup, Figures& figures) {
@@ -90,8 +90,8 @@ void load(const std::string& name, const Child& server, int port, std::size_t cl
   Crowd crowd(port, clients, in_flight);
   crowd.run(kWarmUpShare * seconds);
   const double before_s = server.cpu_s();
-  const std::size_t answers = crowd.run(seconds);
-  figures[name] = static_cast<double>(answers) / (server.cpu_s() - before_s);
+  const std::size_t responses = crowd.run(seconds);
+  figures[name] = static_cast<double>(responses) / (server.cpu_s() - before_s);
 }
 
 void load_all(const Setup& setup, const std::string& scenario, std::size_t clients,

@@ -66,14 +66,15 @@ std::vector<Result> results(const std::vector<Row>& rows, const std::vector<Figu
     for (const Figures& round : rounds) {
       add_round(row, round, values, references, ratios);
       for (const std::string& name : {row.value, row.reference})
-        if (const auto why = round.left_out.find(name); why != round.left_out.end())
-          result.left_out = why->second;
+        if (const auto reason = round.left_out.find(name); reason != round.left_out.end())
+          result.left_out = reason->second;
     }
     result.value = Range::of(values);
     result.reference = Range::of(references);
     result.ratio = Range::of(ratios);
-    const auto& judged = row.goal.of == Goal::Of::kRatio ? result.ratio : result.value;
-    if (row.goal.of != Goal::Of::kNothing && judged) result.met = row.goal.met_by(judged->median);
+    const auto& compared = row.goal.of == Goal::Of::kRatio ? result.ratio : result.value;
+    if (row.goal.of != Goal::Of::kNothing && compared)
+      result.is_met = row.goal.is_met_by(compared->median);
   }
   return all;
 }
@@ -83,15 +84,15 @@ std::string table_of(const std::vector<Result>& results) {
   std::string text =
       fmt::format(kLine, "measure", "ours", "unit", "theirs", "of", "ratio (range)", "goal", "");
   for (const Result& one : results) {
-    const std::string verdict = !one.left_out.empty() ? one.left_out
+    const std::string outcome = !one.left_out.empty() ? one.left_out
                                 : one.is_incomplete() ? "NO FIGURE"
-                                : !one.met            ? ""
-                                : *one.met            ? "met"
+                                : !one.is_met         ? ""
+                                : *one.is_met         ? "met"
                                                       : "NOT MET";
     text +=
         fmt::format(kLine, one.row.name, median_text(one.value), one.row.unit,
                     one.row.reference.empty() ? "" : median_text(one.reference),
-                    one.row.reference_name, range_text(one.ratio), one.row.goal.text(), verdict);
+                    one.row.reference_name, range_text(one.ratio), one.row.goal.text(), outcome);
   }
   return text;
 }
@@ -107,7 +108,7 @@ std::string json_of(const std::vector<Result>& results, std::size_t rounds, doub
     }
     if (one.row.goal.of != Goal::Of::kNothing) {
       row["goal"] = one.row.goal.text();
-      row["met"] = one.met ? Json(*one.met) : Json(nullptr);
+      row["met"] = one.is_met ? Json(*one.is_met) : Json(nullptr);
     }
     if (!one.left_out.empty()) row["left_out"] = one.left_out;
     rows.push_back(std::move(row));

@@ -26,7 +26,7 @@ struct Result {
   /// Ratio of value to reference, of each round that has both.
   std::optional<Range> ratio;
   /// nullopt: no goal, or the goal is for another figure.
-  std::optional<bool> met;
+  std::optional<bool> is_met;
   /// Why `value` or `reference` is missing, for those that this machine cannot provide.
   std::string left_out;
 

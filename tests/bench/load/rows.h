@@ -14,7 +14,7 @@ struct Goal {
   double bound = 0.0;
 
   std::string text() const;
-  bool met_by(double figure) const { return at_most ? figure <= bound : figure >= bound; }
+  bool is_met_by(double figure) const { return at_most ? figure <= bound : figure >= bound; }
 };
 
 struct Row {

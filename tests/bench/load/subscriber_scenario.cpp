@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "tests/bench/load/beside.h"
 #include "tests/bench/load/client.h"
+#include "tests/bench/load/concurrently.h"
 #include "tests/bench/load/daemon.h"
 #include "tests/bench/load/scenarios.h"
 #include "tests/bench/load/server.h"
@@ -38,7 +38,7 @@ std::vector<double> rare_pings(Client& client, double seconds) {
   while (Clock::now() < until || took_s.empty()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const auto sent = Clock::now();
-    client.answer(kPing);
+    client.call(kPing);
     took_s.push_back(std::chrono::duration<double>(Clock::now() - sent).count());
   }
   return took_s;
@@ -50,8 +50,8 @@ void subscribe_to_daemon(const Setup& setup, Figures& figures) {
   Subscribers subscribers(daemon.port(), setup.subscribers);
   subscribers.run(setup.seconds);
   std::vector<double> took_s;
-  beside([&] { took_s = rare_pings(client, 2.0 * setup.seconds); },
-         [&] { add_subscribers("daemon", daemon.process(), subscribers, setup, figures); });
+  concurrently([&] { took_s = rare_pings(client, 2.0 * setup.seconds); },
+               [&] { add_subscribers("daemon", daemon.process(), subscribers, setup, figures); });
   figures["subscribers daemon ping_us"] = 1e6 * quantile(took_s, 0.5);
   figures["subscribers daemon lateness_p99_us"] = daemon.lateness().p99_us;
 }

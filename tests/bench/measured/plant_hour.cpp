@@ -22,13 +22,13 @@ double hour_s(std::clock_t spent, Tick ticks) {
          static_cast<double>(ticks);
 }
 
-double whole_s(Tick ticks) {
+double loop_s(Tick ticks) {
   hedgehog::rig::Rig rig;
   rig.run_until_armed();
   const std::clock_t start = std::clock();
   for (Tick tick = 0; tick < ticks; ++tick) {
     if (tick % kEvery == 0) rig.start(hedgehog::rig::pulse({1, 2, 3}, 5.0, kPulse));
-    if (tick % (100 * kEvery) == 0) rig.forget_events();
+    if (tick % (100 * kEvery) == 0) rig.clear_events();
     rig.tick();
   }
   return hour_s(std::clock() - start, ticks);
@@ -55,5 +55,5 @@ int main(int argc, char** argv) {
     std::cerr << "plant_hour TICKS\n";
     return EXIT_FAILURE;
   }
-  std::cout << whole_s(ticks) << '\n' << plant_s(ticks) << '\n';
+  std::cout << loop_s(ticks) << '\n' << plant_s(ticks) << '\n';
 }

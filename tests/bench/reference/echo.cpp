@@ -28,7 +28,7 @@ constexpr std::size_t kReadBytes = 16 * 1024;
 constexpr std::int64_t kAnyTimeNs = 273'660'123'456'789;
 
 /// Appends the response to `line`, which is given without its LF.
-void answer(std::string_view line, bool parse, std::string& out) {
+void respond(std::string_view line, bool parse, std::string& out) {
   if (parse) {
     const nlohmann::json request = nlohmann::json::parse(line);
     const nlohmann::json response{
@@ -52,7 +52,7 @@ asio::awaitable<void> serve(tcp::socket socket, bool parse) {
     received.append(buffer.data(), count);
     std::size_t begin = 0;
     for (std::size_t end = 0; (end = received.find('\n', begin)) != received.npos; begin = end + 1)
-      answer(std::string_view(received).substr(begin, end - begin), parse, reply);
+      respond(std::string_view(received).substr(begin, end - begin), parse, reply);
     received.erase(0, begin);
     if (reply.empty()) continue;
     co_await asio::async_write(socket, asio::buffer(reply),

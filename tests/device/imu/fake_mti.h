@@ -18,32 +18,32 @@ struct FakeMti {
   std::vector<MtOutput> outputs;
   XbusParser parser;
 
-  std::vector<Byte> answer(const std::vector<Byte>& sent) {
+  std::vector<Byte> respond(const std::vector<Byte>& sent) {
     std::vector<Byte> bytes;
     parser.feed(sent);
     while (const auto next = parser.next()) {
       const XbusMessage& message = *next;
-      const auto say = [&](XbusId id, std::span<const Byte> payload = {}) {
+      const auto send = [&](XbusId id, std::span<const Byte> payload = {}) {
         const auto more = encode_xbus(id, payload);
         bytes.insert(bytes.end(), more.begin(), more.end());
       };
       if (message.id == XbusId::kGotoConfig) {
         measuring = false;
-        say(XbusId::kGotoConfigAck);
+        send(XbusId::kGotoConfigAck);
       } else if (message.id == XbusId::kSetOutputConfiguration) {
-        const auto asked = decode_outputs(message.payload).value();
-        const bool too_fast = std::any_of(asked.begin(), asked.end(), [&](const MtOutput& o) {
-          return o.rate_hz != 0xFFFF && o.rate_hz > highest_rate;
-        });
+        const auto requested = decode_outputs(message.payload).value();
+        const bool too_fast = std::any_of(
+            requested.begin(), requested.end(),
+            [&](const MtOutput& o) { return o.rate_hz != 0xFFFF && o.rate_hz > highest_rate; });
         if (too_fast) {
-          say(XbusId::kError, std::vector<Byte>{0x04});
+          send(XbusId::kError, std::vector<Byte>{0x04});
         } else {
-          outputs = asked;
-          say(XbusId::kOutputConfiguration, message.payload);
+          outputs = requested;
+          send(XbusId::kOutputConfiguration, message.payload);
         }
       } else if (message.id == XbusId::kGotoMeasurement) {
         measuring = true;
-        say(XbusId::kGotoMeasurementAck);
+        send(XbusId::kGotoMeasurementAck);
       }
     }
     return bytes;

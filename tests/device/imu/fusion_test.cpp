@@ -34,7 +34,7 @@ double tilt_deg(const Quaternion& a, const Quaternion& b) {
 /// A consumer MEMS sensor, somewhat worse than the data sheets of the pads' sensors: bias, its
 /// random walk, white noise of the rate and of the acceleration at 250 Hz, and an accelerometer
 /// offset of 5 mg.
-struct Mems {
+struct InertialSensor {
   model::RandomStream random{1};
   Vec3 bias_deg_s;
   double rate_noise_deg_s = 0.1;
@@ -45,15 +45,16 @@ struct Mems {
   Vec3 noise(double deviation) {
     return deviation * Vec3{random.gaussian(), random.gaussian(), random.gaussian()};
   }
-  MotionSample sample(const Quaternion& truth, const Vec3& rate_deg_s, const Vec3& moving_g = {}) {
+  MotionSample sample(const Quaternion& orientation, const Vec3& rate_deg_s,
+                      const Vec3& moving_g = {}) {
     bias_deg_s = bias_deg_s + noise(walk_deg_s * std::sqrt(kDt));
-    const Vec3 up = rotate(conjugate(truth), Vec3{0, 0, 1} + moving_g);
+    const Vec3 up = rotate(conjugate(orientation), Vec3{0, 0, 1} + moving_g);
     return {rate_deg_s + bias_deg_s + noise(rate_noise_deg_s),
             up + accel_bias_g + noise(accel_noise_g), kDt};
   }
   /// Without noise, walk and bias.
-  static Mems ideal() {
-    Mems made;
+  static InertialSensor ideal() {
+    InertialSensor made;
     made.rate_noise_deg_s = made.walk_deg_s = made.accel_noise_g = 0.0;
     made.accel_bias_g = {};
     return made;
@@ -62,8 +63,8 @@ struct Mems {
 
 /// The true orientation and the filter's, side by side.
 struct FusionBench {
-  Mems mems;
-  Quaternion truth;
+  InertialSensor sensor_model;
+  Quaternion orientation;
   Fusion fusion;
 
   void rest(double seconds) { turn({0, 0, 1}, 0.0, seconds); }
@@ -72,21 +73,21 @@ struct FusionBench {
     const auto steps = static_cast<int>(std::lround(seconds / kDt));
     const double rate = angle / seconds;
     for (int i = 0; i < steps; ++i) {
-      truth = truth * model::axis_angle(axis, rate * kDt);
-      fusion.step(mems.sample(truth, rate * axis));
+      orientation = orientation * model::axis_angle(axis, rate * kDt);
+      fusion.step(sensor_model.sample(orientation, rate * axis));
     }
   }
-  double error_deg() const { return angle_deg(truth, fusion.sensor_to_world()); }
-  double tilt_error_deg() const { return tilt_deg(truth, fusion.sensor_to_world()); }
+  double error_deg() const { return angle_deg(orientation, fusion.sensor_to_world()); }
+  double tilt_error_deg() const { return tilt_deg(orientation, fusion.sensor_to_world()); }
 };
 
 RC_GTEST_PROP(FusionLaws, StaticTiltIsRightAtOnceAndStays, ()) {
   const double azimuth = *rc::gen::inRange(0, 360);
   const double tilt = *rc::gen::inRange(0, 181);
   FusionBench bench;
-  bench.mems.random = model::RandomStream(*rc::gen::arbitrary<std::uint64_t>());
+  bench.sensor_model.random = model::RandomStream(*rc::gen::arbitrary<std::uint64_t>());
   const Vec3 axis = rotate(model::axis_angle({0, 0, 1}, azimuth), {1, 0, 0});
-  bench.truth = model::axis_angle(axis, tilt);
+  bench.orientation = model::axis_angle(axis, tilt);
   bench.rest(kDt);
   RC_ASSERT(bench.tilt_error_deg() < 4.0);  // one noisy sample
   bench.rest(4.0);
@@ -97,8 +98,8 @@ RC_GTEST_PROP(FusionLaws, StaticTiltIsRightAtOnceAndStays, ()) {
 
 TEST(Fusion, TheFrontBeginsAtAzimuthZero) {
   FusionBench bench;
-  bench.mems = Mems::ideal();
-  bench.truth = model::axis_angle({0, 0, 1}, 137.0) * model::axis_angle({0, 1, 0}, 20.0);
+  bench.sensor_model = InertialSensor::ideal();
+  bench.orientation = model::axis_angle({0, 0, 1}, 137.0) * model::axis_angle({0, 1, 0}, 20.0);
   bench.rest(kDt);
   const Vec3 front = rotate(bench.fusion.sensor_to_world(), {1, 0, 0});
   EXPECT_NEAR(front.y, 0.0, 1e-9);
@@ -111,7 +112,7 @@ TEST(Fusion, QuarterTurnsWithinTwoDegrees) {
     for (const double angle : {90.0, -90.0, 180.0}) {
       for (const double seconds : {0.5, 2.0}) {
         FusionBench bench;
-        bench.mems.bias_deg_s = {0.4, -0.3, 0.5};
+        bench.sensor_model.bias_deg_s = {0.4, -0.3, 0.5};
         bench.rest(5.0);
         bench.turn(axis, angle, seconds);
         EXPECT_LT(bench.error_deg(), 2.0) << axis.x << axis.y << axis.z << ' ' << angle;
@@ -125,7 +126,7 @@ TEST(Fusion, QuarterTurnsWithinTwoDegrees) {
 
 TEST(Fusion, TenMinutesOfNoiseMoveRollAndPitchByLessThanOneDegree) {
   FusionBench bench;
-  bench.mems.bias_deg_s = {0.8, -0.6, 0.5};
+  bench.sensor_model.bias_deg_s = {0.8, -0.6, 0.5};
   double worst = 0.0;
   bench.rest(10.0);
   for (int second = 10; second < 600; ++second) {
@@ -139,17 +140,18 @@ TEST(Fusion, TenMinutesOfNoiseMoveRollAndPitchByLessThanOneDegree) {
 
 // A hand that is never still: 20 degrees back and forth about a changing axis, accelerations of 0.2
 // g.
-TEST(Fusion, TenMinutesInTheHandKeepRollAndPitch) {
+TEST(Fusion, RollAndPitchHoldForTenMinutesInAHand) {
   FusionBench bench;
-  bench.mems.bias_deg_s = {0.3, -0.4, 0.2};
+  bench.sensor_model.bias_deg_s = {0.3, -0.4, 0.2};
   double worst = 0.0;
   bench.rest(5.0);
   for (int i = 0; i < 600 * 250; ++i) {
     const double t = i * kDt;
     const Vec3 rate{40 * std::cos(2.1 * t), 35 * std::cos(1.7 * t + 1), 30 * std::cos(1.3 * t + 2)};
-    bench.truth = bench.truth * model::axis_angle(unit_or(rate, {1, 0, 0}), norm(rate) * kDt);
+    bench.orientation =
+        bench.orientation * model::axis_angle(unit_or(rate, {1, 0, 0}), norm(rate) * kDt);
     const Vec3 push = 0.2 * std::sin(11 * t) * Vec3{0.7, 0.6, 0.39};
-    bench.fusion.step(bench.mems.sample(bench.truth, rate, push));
+    bench.fusion.step(bench.sensor_model.sample(bench.orientation, rate, push));
     worst = std::max(worst, bench.tilt_error_deg());
   }
   RecordProperty("worst_tilt_mdeg", static_cast<int>(1000 * worst));
@@ -158,16 +160,16 @@ TEST(Fusion, TenMinutesInTheHandKeepRollAndPitch) {
 
 TEST(Fusion, FindsTheBiasAtRestAroundEveryAxis) {
   FusionBench bench;
-  bench.mems.bias_deg_s = {1.2, -0.9, 1.5};
+  bench.sensor_model.bias_deg_s = {1.2, -0.9, 1.5};
   bench.rest(15.0);
   EXPECT_TRUE(bench.fusion.still());
-  EXPECT_LT(norm(bench.fusion.bias_deg_s() - bench.mems.bias_deg_s), 0.05);
+  EXPECT_LT(norm(bench.fusion.bias_deg_s() - bench.sensor_model.bias_deg_s), 0.05);
   EXPECT_LT(norm(bench.fusion.rate_deg_s()), 1.0);
 }
 
 TEST(Fusion, FindsTheBiasOfRollAndPitchInMotionToo) {
   FusionBench bench;
-  bench.mems.bias_deg_s = {1.0, -1.0, 0.0};
+  bench.sensor_model.bias_deg_s = {1.0, -1.0, 0.0};
   for (int i = 0; i < 60; ++i) bench.turn({0, 0, 1}, i % 2 == 0 ? 60.0 : -60.0, 1.0);
   EXPECT_FALSE(bench.fusion.still());
   EXPECT_NEAR(bench.fusion.bias_deg_s().x, 1.0, 0.2);
@@ -175,37 +177,37 @@ TEST(Fusion, FindsTheBiasOfRollAndPitchInMotionToo) {
 }
 
 // Shaken hard for a second, tilt is tracked by the gyroscope alone.
-TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
+TEST(Fusion, AccelerationOtherThanGravityIsIgnored) {
   FusionBench bench;
   bench.rest(5.0);
   for (int i = 0; i < 250; ++i)
-    bench.fusion.step(bench.mems.sample(bench.truth, {}, {1.5, 0.0, 0.0}));
+    bench.fusion.step(bench.sensor_model.sample(bench.orientation, {}, {1.5, 0.0, 0.0}));
   EXPECT_LT(bench.tilt_error_deg(), 1.0);
 }
 
 // The tilt is set again from gravity; heading and bias stay.
-TEST(Fusion, AfterATurnThatNobodySawItIsRightWithinTheSettleTime) {
+TEST(Fusion, AfterAnUnmeasuredTurnItIsRightWithinTheSettleTime) {
   for (const double tilt : {0.0, 40.0, 90.0, 150.0, 175.0}) {
     FusionBench bench;
-    bench.mems.bias_deg_s = {0.4, -0.3, 0.5};
+    bench.sensor_model.bias_deg_s = {0.4, -0.3, 0.5};
     bench.rest(10.0);
     bench.turn({0, 0, 1}, 70.0, 1.0);
     bench.rest(3.0);
-    bench.truth = bench.truth * model::axis_angle({0, 1, 0}, tilt);
+    bench.orientation = bench.orientation * model::axis_angle({0, 1, 0}, tilt);
     bench.fusion.restart();
     EXPECT_TRUE(bench.fusion.started());
     for (int i = 0; i < 10; ++i) {
       bench.rest(Fusion::kSettleS / 10);
-      EXPECT_LT(norm(bench.fusion.bias_deg_s() - bench.mems.bias_deg_s), 0.2) << tilt;
+      EXPECT_LT(norm(bench.fusion.bias_deg_s() - bench.sensor_model.bias_deg_s), 0.2) << tilt;
     }
     EXPECT_LT(bench.tilt_error_deg(), 1.0) << tilt;
     // Nearly upside down, the shortest rotation is ambiguous.
-    const double heading_too = tilt > 150.0 ? 0.0 : bench.error_deg();
-    EXPECT_LT(heading_too, 4.0) << tilt;
+    const double heading_error = tilt > 150.0 ? 0.0 : bench.error_deg();
+    EXPECT_LT(heading_error, 4.0) << tilt;
   }
 }
 
-TEST(Fusion, NumbersThatCannotBeChangeNothing) {
+TEST(Fusion, ImpossibleNumbersChangeNothing) {
   FusionBench bench;
   bench.rest(1.0);
   const Quaternion before = bench.fusion.sensor_to_world();

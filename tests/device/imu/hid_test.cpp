@@ -50,7 +50,7 @@ TEST(HidDescriptor, ReadsFieldsUnitsAndExponents) {
   EXPECT_EQ(parsed->report_bytes(Kind::kOutput, 5), 0u);
 }
 
-TEST(HidDescriptor, RefusesWhatIsNone) {
+TEST(HidDescriptor, RefusesInvalidOnes) {
   const auto good = short_orientation_descriptor();
   for (std::size_t cut = 5; cut < good.size(); ++cut) {
     const auto parsed = parse_hid_descriptor(std::span(good).first(cut));
@@ -118,7 +118,7 @@ TEST(HidOrientation, OtherDevicesHaveNone) {
   EXPECT_FALSE(HidOrientation::find(*parse_hid_descriptor(mouse_descriptor())));
 }
 
-TEST(HidOrientation, OtherReportsAndShortOnesSayNothing) {
+TEST(HidOrientation, OtherReportsAndShortOnesAreIgnored) {
   const HidOrientation sensor = sensor_of(short_orientation_descriptor());
   EXPECT_FALSE(sensor.decode({}));
   EXPECT_FALSE(sensor.decode(std::vector<Byte>{4, 2, 4, 0, 0, 0, 0, 0, 0, 0xE8, 0x03}));
@@ -126,7 +126,7 @@ TEST(HidOrientation, OtherReportsAndShortOnesSayNothing) {
   EXPECT_FALSE(sensor.decode(std::vector<Byte>(11, 5))) << "no unit length";
 }
 
-RC_GTEST_PROP(HidLaws, NumbersComeBackFromAnyBits, ()) {
+RC_GTEST_PROP(HidLaws, NumbersAreReadFromAnyBits, ()) {
   HidField field;
   field.bits = *rc::gen::inRange<std::uint32_t>(1, 33);
   field.count = *rc::gen::inRange<std::uint32_t>(1, 9);

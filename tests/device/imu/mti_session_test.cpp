@@ -13,10 +13,10 @@
 namespace hedgehog::device {
 namespace {
 
-void talk(MtiSession& session, FakeMti& mti, double from_s, double until_s) {
+void exchange(MtiSession& session, FakeMti& mti, double from_s, double until_s) {
   for (double t = from_s; t < until_s; t += 0.01) {
     const auto sent = session.due(t);
-    session.receive(mti.answer(sent), t);
+    session.receive(mti.respond(sent), t);
     if (mti.measuring) session.receive(from_hex(kCaptureA), t);
   }
 }
@@ -25,43 +25,43 @@ TEST(MtiSession, ConfiguresThenMeasures) {
   MtiSession session;
   FakeMti mti;
   mti.measuring = true;  // as left by the last run
-  talk(session, mti, 0.0, 0.5);
+  exchange(session, mti, 0.0, 0.5);
   EXPECT_TRUE(session.measuring());
   EXPECT_EQ(mti.outputs, orientation_outputs(200));
   ASSERT_TRUE(session.next().has_value());
 }
 
-TEST(MtiSession, FallsBackToARateThatTheTrackerKnows) {
+TEST(MtiSession, FallsBackToARateThatTheTrackerSupports) {
   MtiSession session;
   FakeMti mti;
   mti.highest_rate = 100;
-  talk(session, mti, 0.0, 2.0);
+  exchange(session, mti, 0.0, 2.0);
   EXPECT_TRUE(session.measuring());
   EXPECT_EQ(mti.outputs, orientation_outputs(100));
 }
 
-TEST(MtiSession, StartsAnewAfterSilenceAndAfterARestart) {
+TEST(MtiSession, RestartsAfterSilenceAndAfterARestartOfTheTracker) {
   MtiSession session;
   FakeMti mti;
-  talk(session, mti, 0.0, 0.5);
+  exchange(session, mti, 0.0, 0.5);
   mti.measuring = false;
   mti.outputs.clear();
-  talk(session, mti, 0.5, 3.0);
+  exchange(session, mti, 0.5, 3.0);
   EXPECT_TRUE(session.measuring());
   EXPECT_FALSE(mti.outputs.empty());
 
   session.receive(encode_xbus(XbusId::kWakeUp), 3.0);
   EXPECT_EQ(session.due(3.0), encode_xbus(XbusId::kWakeUpAck));
   EXPECT_FALSE(session.measuring());
-  talk(session, mti, 3.0, 4.0);
+  exchange(session, mti, 3.0, 4.0);
   EXPECT_TRUE(session.measuring());
 }
 
-TEST(MtiSession, AsksAgainWhenNobodyAnswers) {
+TEST(MtiSession, RepeatsARequestWithoutResponse) {
   MtiSession session;
-  int asked = 0;
-  for (double t = 0.0; t < 2.0; t += 0.01) asked += session.due(t).empty() ? 0 : 1;
-  EXPECT_NEAR(asked, 10, 1);
+  int requests = 0;
+  for (double t = 0.0; t < 2.0; t += 0.01) requests += session.due(t).empty() ? 0 : 1;
+  EXPECT_NEAR(requests, 10, 1);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void put(std::vector<Byte>& bytes, std::size_t at, int value) {
   bytes[at + 1] = static_cast<Byte>(value >> 8);
 }
 
-void seal(std::vector<Byte>& bytes, Byte seed) {
+void append_crc(std::vector<Byte>& bytes, Byte seed) {
   std::vector<Byte> covered{seed};
   covered.insert(covered.end(), bytes.begin(), bytes.end() - 4);
   const std::uint32_t crc = board::crc32(covered.data(), covered.size());
@@ -49,7 +49,7 @@ std::vector<Byte> report_of(const Variant& v, const std::array<int, 3>& gyro,
   }
   put(bytes, v.clock, static_cast<int>(clock & 0xFFFF));
   if (v.pad == SonyPad::kDualSense) put(bytes, v.clock + 2, static_cast<int>(clock >> 16));
-  if (v.bus == SonyBus::kBluetooth) seal(bytes, 0xA1);
+  if (v.bus == SonyBus::kBluetooth) append_crc(bytes, 0xA1);
   return bytes;
 }
 
@@ -72,7 +72,7 @@ std::vector<Byte> calibration_of(const Variant& v) {
   }
   put(bytes, 19, 540);
   put(bytes, 21, 540);
-  if (v.bus == SonyBus::kBluetooth) seal(bytes, 0xA3);
+  if (v.bus == SonyBus::kBluetooth) append_crc(bytes, 0xA3);
   return bytes;
 }
 
@@ -100,10 +100,10 @@ TEST_P(Sony, TheFactoryBiasIsOfTheMaximaNotOfTheReports) {
     put(bytes, thirds ? 7 + 2 * i : 7 + 4 * i, 8870);
     put(bytes, thirds ? 13 + 2 * i : 9 + 4 * i, -8810);
   }
-  if (v.bus == SonyBus::kBluetooth) seal(bytes, 0xA3);
+  if (v.bus == SonyBus::kBluetooth) append_crc(bytes, 0xA3);
   const auto made = decode_calibration(v.pad, v.bus, bytes).value();
-  const auto still = decode_sony(v.pad, report_of(v, {0, 0, 0}, {0, 8200, 0}), made);
-  EXPECT_EQ(norm(still->rate_deg_s), 0.0) << "1.8 deg/s off";
+  const auto at_rest = decode_sony(v.pad, report_of(v, {0, 0, 0}, {0, 8200, 0}), made);
+  EXPECT_EQ(norm(at_rest->rate_deg_s), 0.0) << "1.8 deg/s off";
   const auto turned = decode_sony(v.pad, report_of(v, {8840, 0, 0}, {0, 8200, 0}), made);
   EXPECT_NEAR(turned->rate_deg_s.y, -540.0, 1e-9);
 }
@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Pads, Sony, testing::ValuesIn(kVariants), [](const auto
          (pad.param.bus == SonyBus::kUsb ? "_usb" : "_bluetooth");
 });
 
-TEST(SonyCalibration, ZerosOfACopiedPadAreNotDividedBy) {
+TEST(SonyCalibration, ZerosOfAClonedPadAreNotDividedBy) {
   std::vector<Byte> zeros(41);
   zeros[0] = 0x05;
   const auto made = decode_calibration(SonyPad::kDualSense, SonyBus::kUsb, zeros);
@@ -204,7 +204,7 @@ TEST(SonyCalibration, ZerosOfACopiedPadAreNotDividedBy) {
   EXPECT_EQ(made->accel[2].bias, 0.0);
 }
 
-RC_GTEST_PROP(SonyLaws, NumbersComeBack, ()) {
+RC_GTEST_PROP(SonyLaws, NumbersAreDecoded, ()) {
   const Variant& v = kVariants[*rc::gen::inRange<std::size_t>(0, kVariants.size())];
   const auto number = rc::gen::inRange(-32768, 32768);
   const std::array<int, 3> gyro{*number, *number, *number};

@@ -66,7 +66,7 @@ TEST(Xbus, RequestsAreTheBytesOfTheProtocol) {
                "FF FF 33"));
 }
 
-TEST(Xbus, AnswersAreRead) {
+TEST(Xbus, ResponsesAreRead) {
   const auto id = parse(from_hex("FA FF 01 04 03 68 24 8C E1"));
   ASSERT_EQ(id.size(), 1u);
   EXPECT_EQ(id[0].id, XbusId::kDeviceId);
@@ -126,7 +126,7 @@ TEST(Xbus, NorthEastDownIsTurnedOverSoThatUpIsUp) {
   EXPECT_NEAR(rotate(*level->quaternion, {0, 0, 1}).z, -1.0, 1e-9);
 }
 
-TEST(Xbus, WhatCannotBeIsMissing) {
+TEST(Xbus, ImpossibleValuesAreMissing) {
   // NaN, a wrong length, a quaternion of norm 2.
   for (const char* hex :
        {"80 20 0C 7F C0 00 00 00 00 00 00 00 00 00 00", "80 20 0B 00 00 00 00 00 00 00 00 00 00 00",
@@ -142,7 +142,7 @@ std::vector<Byte> message_of(std::uint8_t id, const std::vector<Byte>& payload) 
   return encode_xbus(static_cast<XbusId>(id), payload);
 }
 
-RC_GTEST_PROP(XbusLaws, EveryMessageComesBackInAnyPieces, ()) {
+RC_GTEST_PROP(XbusLaws, EveryMessageIsReadInAnyPieces, ()) {
   const auto id = *rc::gen::arbitrary<std::uint8_t>();
   const auto payload =
       *rc::gen::resize(600, rc::gen::container<std::vector<Byte>>(rc::gen::arbitrary<Byte>()));
@@ -165,14 +165,14 @@ RC_GTEST_PROP(XbusLaws, EveryMessageComesBackInAnyPieces, ()) {
 TEST(Xbus, OneWrongByteNeverGivesAWrongSample) {
   for (const std::string& capture : {kCaptureA, kCaptureB, kCaptureC, kCaptureD, kCaptureE}) {
     const auto good = from_hex(capture);
-    const XbusMessage truth = parse(good).front();
+    const XbusMessage original = parse(good).front();
     for (std::size_t at = 0; at < good.size(); ++at) {
       for (int wrong = 1; wrong < 256; ++wrong) {
         auto bytes = good;
         bytes[at] = static_cast<Byte>(bytes[at] + wrong);
         for (int i = 0; i < 5; ++i) bytes.insert(bytes.end(), good.begin(), good.end());
         for (const XbusMessage& message : parse(bytes)) {
-          if (message.id != XbusId::kMtData2 || message == truth) continue;
+          if (message.id != XbusId::kMtData2 || message == original) continue;
           EXPECT_FALSE(decode_mtdata2(message.payload))
               << capture << " byte " << at << " + " << wrong;
         }
@@ -181,7 +181,7 @@ TEST(Xbus, OneWrongByteNeverGivesAWrongSample) {
   }
 }
 
-TEST(Xbus, AWrongLengthCostsAtMostWhatItAnnounces) {
+TEST(Xbus, AWrongLengthSkipsAtMostThatLength) {
   auto bytes = from_hex(kCaptureC);
   bytes[3] = 0xFE;
   for (int i = 0; i < 20; ++i) {

@@ -139,9 +139,9 @@ TEST_F(FakeSys, AnMtiAndARadioStation) {
 TEST_F(FakeSys, AnAttributeThatCannotBeReadIsLeftOut) {
   const fs::path pulled = usb("1-1", "2639", "0003", 2, "MTi-30");
   fs::create_directory(pulled / "serial");
-  const fs::path gone = usb("1-2", "2639", "0003", 3, "MTi-30");
-  fs::remove(gone / "idVendor");
-  fs::create_directory(gone / "idVendor");
+  const fs::path removed = usb("1-2", "2639", "0003", 3, "MTi-30");
+  fs::remove(removed / "idVendor");
+  fs::create_directory(removed / "idVendor");
   hid(root_ / "devices/bt", "0005:054C:09CC.0002", {0x05, 0x01}, "Pad", "cc:dd", "hidraw4");
   for (const char* file : {"report_descriptor", "uevent"}) {
     fs::remove(root_ / "devices/bt/0005:054C:09CC.0002" / file);

@@ -26,7 +26,7 @@ struct FakeHid {
   std::map<Byte, std::vector<Byte>> features;
   std::vector<std::vector<Byte>> written;
   /// Returns the response to what is written, when set.
-  std::function<std::vector<std::vector<Byte>>(const std::vector<Byte>&)> answer;
+  std::function<std::vector<std::vector<Byte>>(const std::vector<Byte>&)> respond;
   int open_ports = 0;
   int opened = 0;
 
@@ -52,8 +52,8 @@ class FakeHidPort : public HidPort {
   }
   bool write(std::span<const Byte> report) override {
     device_.written.emplace_back(report.begin(), report.end());
-    if (device_.answer)
-      for (auto& reply : device_.answer(device_.written.back())) device_.reports.push_back(reply);
+    if (device_.respond)
+      for (auto& reply : device_.respond(device_.written.back())) device_.reports.push_back(reply);
     return device_.plugged;
   }
   std::size_t get_feature(std::span<Byte> report) override {

@@ -70,7 +70,7 @@ TEST(MtiImu, ConfiguresAndPublishes) {
   MtiImu imu(
       [&]() -> OpenedBytes {
         return {std::make_unique<FakeBytePort>([&](const std::vector<Byte>& sent) {
-                  return sent.empty() && mti.measuring ? capture : mti.answer(sent);
+                  return sent.empty() && mti.measuring ? capture : mti.respond(sent);
                 }),
                 {},
                 "MTi-30 (2639:0003)"};
@@ -88,12 +88,12 @@ TEST(MtiImu, ConfiguresAndPublishes) {
 struct FakeTemper : FakeHid {
   std::string firmware = "TEMPer2_V3.9    ";
   std::string temperature = "80 80 0A 8C 4E 20 00 00 80 01 0D DE 4E 20 00 00";
-  int deaf = 0;  // number of first requests without a response
+  int ignored_requests = 0;  // number of first requests without a response
 
   FakeTemper() {
-    answer = [this](const std::vector<Byte>& out) -> std::vector<std::vector<Byte>> {
-      if (deaf > 0) {
-        --deaf;
+    respond = [this](const std::vector<Byte>& out) -> std::vector<std::vector<Byte>> {
+      if (ignored_requests > 0) {
+        --ignored_requests;
         return {};
       }
       EXPECT_EQ(out.size(), 9u);
@@ -113,7 +113,7 @@ struct FakeTemper : FakeHid {
 TEST(TemperSensor, ReadsItsProbeTwiceASecond) {
   Desk desk;
   FakeTemper stick;
-  stick.deaf = 3;
+  stick.ignored_requests = 3;
   TemperSensor sensor(stick.opener(), desk.thermometer());
   ASSERT_EQ(sensor.open(), "");
   EXPECT_EQ(sensor.name(), "Fake (1234:5678), TEMPer2_V3.9");
@@ -123,7 +123,7 @@ TEST(TemperSensor, ReadsItsProbeTwiceASecond) {
   EXPECT_EQ(desk.readings[1].stamp, 500);
 }
 
-TEST(TemperSensor, AnUnpluggedProbeIsSilenceNotTheStick) {
+TEST(TemperSensor, AnUnpluggedProbeGivesNoReading) {
   Desk desk;
   FakeTemper stick;
   stick.temperature = "80 80 0A 8C 4E 20 00 00 80 01 4E 20 4E 20 00 00";
@@ -184,7 +184,7 @@ bool eventually(Done done) {
   return done();
 }
 
-TEST(SensorThread, OpensAgainWithPatienceAndTellsWhy) {
+TEST(SensorThread, ReopensWithBackoffAndReportsWhy) {
   Flaky::Log log;
   {
     SensorThread thread(std::make_unique<Flaky>(log));

@@ -49,13 +49,13 @@ TEST(SonyImu, TurnsByThePadsOwnClock) {
 }
 
 // Unplugged, or out of radio range, and turned onto its back meanwhile.
-TEST(SonyImu, WhatItWasTurnedUnseenIsRightWithinTheSettleTime) {
+TEST(SonyImu, AnUnmeasuredTurnIsCorrectedWithinTheSettleTime) {
   Desk desk;
   FakeHid pad;
   SonyImu imu(SonyPad::kDualSense, pad.opener(), desk.orientation());
   ASSERT_EQ(imu.open(), "");
   std::uint32_t clock = 0;
-  const auto lie_s = [&](double seconds, double tilt_deg) {
+  const auto rest_s = [&](double seconds, double tilt_deg) {
     for (int i = 0; i < seconds * 250.0; ++i, desk.now += 4) {
       pad.reports.push_back(dualsense_report(clock += 12000, 0, tilt_deg));
       ASSERT_TRUE(imu.poll(0ms));
@@ -65,7 +65,7 @@ TEST(SonyImu, WhatItWasTurnedUnseenIsRightWithinTheSettleTime) {
     const model::Vec3 up = rotate(conjugate(desk.samples.back().quaternion), {0, 0, 1});
     return std::acos(std::clamp(up.z, -1.0, 1.0)) / kRadians;
   };
-  lie_s(4.0, 0.0);
+  rest_s(4.0, 0.0);
   EXPECT_NEAR(tilt_deg(), 0.0, 1.0);
 
   pad.plugged = false;
@@ -75,17 +75,17 @@ TEST(SonyImu, WhatItWasTurnedUnseenIsRightWithinTheSettleTime) {
   pad.plugged = true;
   ASSERT_EQ(imu.open(), "");
   clock = 77;
-  lie_s(Fusion::kSettleS, 175.0);
+  rest_s(Fusion::kSettleS, 175.0);
   EXPECT_NEAR(tilt_deg(), 175.0, 1.0) << "plugged in again";
 
   clock += 3'000'000;  // 1 s
-  lie_s(Fusion::kSettleS, 0.0);
+  rest_s(Fusion::kSettleS, 0.0);
   EXPECT_NEAR(tilt_deg(), 0.0, 1.0) << "heard again";
   EXPECT_LT(norm(imu.fusion().bias_deg_s()), 0.05) << "and nothing of it was taken for bias";
 
   // By the pad's clock, which wraps around, no time has passed.
   desk.now += 1000;
-  lie_s(Fusion::kSettleS, 175.0);
+  rest_s(Fusion::kSettleS, 175.0);
   EXPECT_NEAR(tilt_deg(), 175.0, 1.0) << "heard again after whole rounds of its clock";
 }
 

@@ -44,34 +44,34 @@ Ids hid_ids(const std::string& text) {
   return ids;
 }
 
-template <class Device, class Wanted>
-Ids known(const std::set<int>& vendors, Wanted wanted) {
+template <class Device, class Matches>
+Ids known(const std::set<int>& vendors, Matches matches) {
   Ids ids;
   for (const int vendor : vendors) {
     for (int product = 0; product <= 0xFFFF; ++product) {
       Device device;
       device.vendor = static_cast<std::uint16_t>(vendor);
       device.product = static_cast<std::uint16_t>(product);
-      if (wanted(driver_of(device))) ids.emplace(vendor, product);
+      if (matches(driver_of(device))) ids.emplace(vendor, product);
     }
   }
   return ids;
 }
 
-TEST(UdevRules, NameEveryHidDeviceThatIsKnown) {
+TEST(UdevRules, ListEveryKnownHidDevice) {
   EXPECT_EQ(hid_ids(rules()), (known<HidDevice>(
                                   {0x054C, 0x0C45, 0x413D, 0x1A86},
                                   [](const SensorDriver* driver) { return driver != nullptr; })));
 }
 
-TEST(UdevRules, NameTheMtiAndTheBoard) {
+TEST(UdevRules, ListTheMtiAndTheBoard) {
   Ids expected =
       known<UsbDevice>({0x2639}, [](const SensorDriver* driver) { return driver == &kMtiDriver; });
   expected.emplace(0x1209, 0x0001);
   EXPECT_EQ(usb_ids(rules()), expected);
 }
 
-TEST(UdevRules, GiveTheGroupAndNobodyElse) {
+TEST(UdevRules, GiveAccessToTheGroupOnly) {
   const std::string text = rules();
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("0666")));
   const std::regex given(R"re(MODE="0660")re");

@@ -99,7 +99,7 @@ TEST(BoardOnUsb, SomethingElseWithItsIdsIsNoBoard) {
   EXPECT_EQ(bench.what(), std::string(kSeven) + ": it has no interface of a driver board");
 }
 
-TEST(BoardOnUsb, MissingPermissionAndAnotherProgramAreToldApart) {
+TEST(BoardOnUsb, MissingPermissionAndAnotherProgramAreDistinguished) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   board.open_error = LIBUSB_ERROR_ACCESS;
@@ -115,7 +115,7 @@ TEST(BoardOnUsb, MissingPermissionAndAnotherProgramAreToldApart) {
   EXPECT_LE(*bench.until_open(), 1000);
 }
 
-TEST(BoardOnUsb, ShortAndLongPacketsPassAsTheyCameEmptyOnesDoNot) {
+TEST(BoardOnUsb, ShortAndLongPacketsAreForwardedUnchangedAndEmptyOnesNot) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   const std::vector<std::uint8_t> longest(kSlotBytes, 9);
@@ -128,7 +128,7 @@ TEST(BoardOnUsb, ShortAndLongPacketsPassAsTheyCameEmptyOnesDoNot) {
   EXPECT_EQ(bench.received[3], telemetry(2));
 }
 
-TEST(BoardOnUsb, AfterAPauseOfTheLinkThePacketsComeInOrder) {
+TEST(BoardOnUsb, AfterAPauseOfTheLinkThePacketsAreInOrder) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(50);

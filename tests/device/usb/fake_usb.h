@@ -39,7 +39,7 @@ struct FakeBoard {
   std::uint64_t begun = 0;
   std::uint64_t ended = 0;
   /// Transfers that were not completed when their port was closed.
-  int left_under_way = 0;
+  int still_submitted = 0;
 };
 
 class FakeUsbPort : public UsbPort {
@@ -50,7 +50,7 @@ class FakeUsbPort : public UsbPort {
   }
   ~FakeUsbPort() override {
     --board_.open_ports;
-    board_.left_under_way += static_cast<int>(submitted_.size());
+    board_.still_submitted += static_cast<int>(submitted_.size());
   }
 
   std::span<std::uint8_t, kSlotBytes> buffer(int slot) noexcept override {

@@ -41,7 +41,7 @@ struct Bench {
   int sent = 0;
   int steps = 0;
 
-  explicit Bench(BoardIds wanted = kAny) : finder(usb, std::move(wanted)) {}
+  explicit Bench(BoardIds ids = kAny) : finder(usb, std::move(ids)) {}
   ~Bench() { finder.close(); }
 
   void tick() {

@@ -38,7 +38,7 @@ export class Board {
     this.ticks = []; // start of each millisecond of the firmware, us
     this.busiestCycles = 0; // of the firmware's milliseconds, from one conversion to the next
     this.shownCurrent = undefined; // converter code of winding x's amplifier in place of its current
-    this.converterAnswers = true; // false: its line is low, as by the pull-down of the microcontroller
+    this.converterResponds = true; // false: its line is low, as by the pull-down of the microcontroller
     this.slowestPwmUs = 0; // from the start of a millisecond to its compare values
     this.onTick = () => {}; // called with the readings that the firmware is about to convert
     this.onApply = () => {}; // called when the firmware writes its compare values
@@ -149,13 +149,13 @@ export class Board {
       }
       this.selectedUs = chip.us;
     });
-    let answer = 0;
-    const done = mcu.clock.createAlarm(() => spi.completeTransmit(answer));
+    let response = 0;
+    const done = mcu.clock.createAlarm(() => spi.completeTransmit(response));
     spi.onTransmit = (value) => {
       if (this.high(kSelect) || spi.control0 !== 7 || !spi.enabled || spi.clockFrequency > kMaxSpiHz)
         chip.warnings.push('the converter is not spoken to as its data sheet says');
       bytes.push(value);
-      answer = this.converterAnswers ? this.converterByte(bytes) : 0;
+      response = this.converterResponds ? this.converterByte(bytes) : 0;
       done.schedule((8e9 / spi.clockFrequency) | 0);
     };
   }

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { assertDriving, assertNoCurrent, kFiveAmps, withBoard } from './fixture.mjs';
 import { bootLoader, kMode } from './frames.mjs';
 
-const ask = (board, driver, key) => board.host.outQueue.push(bootLoader(++driver.sequence, key));
+const request = (board, driver, key) => board.host.outQueue.push(bootLoader(++driver.sequence, key));
 
 function assertInBootLoader(board) {
   assert.ok(board.chip.bootLoader, 'it has called the ROM');
@@ -19,32 +19,32 @@ function assertInBootLoader(board) {
   assertNoCurrent(board);
 }
 
-test('a board that was never armed goes into its boot loader', withBoard((board, driver) => {
+test('a board that was never armed enters its boot loader', withBoard((board, driver) => {
   driver.enumerate();
   driver.target = { enable: true, duty: kFiveAmps };
   board.run(20);
   assert.equal(driver.last.mode, kMode.safe);
-  ask(board, driver);
+  request(board, driver);
   board.run(5);
   assertInBootLoader(board);
   board.run(50);
   assertInBootLoader(board);
 }));
 
-test('so does a latched one', withBoard((board, driver) => {
+test('a latched one enters it too', withBoard((board, driver) => {
   driver.drive(kFiveAmps);
   driver.sending = false;
   board.run(140);
   assert.equal(driver.last.mode, kMode.latched);
-  ask(board, driver);
+  request(board, driver);
   board.run(5);
   assertInBootLoader(board);
 }));
 
-test('a board that drives refuses and drives on; one that is armed and asleep goes 20 ms later', withBoard((board, driver) => {
+test('a driving board refuses and continues; one that is armed and asleep enters it 20 ms later', withBoard((board, driver) => {
   driver.drive(kFiveAmps);
   const { refused } = driver.last;
-  ask(board, driver);
+  request(board, driver);
   board.run(20);
   assert.equal(board.chip.bootLoader, undefined);
   assertDriving(board, driver);
@@ -52,11 +52,11 @@ test('a board that drives refuses and drives on; one that is armed and asleep go
   driver.target = { enable: false };
   board.run(10);
   assert.equal(driver.last.mode, kMode.ready);
-  ask(board, driver);
+  request(board, driver);
   board.run(15);
   assert.equal(board.chip.bootLoader, undefined);
   assert.equal(driver.last.mode, kMode.ready);
-  ask(board, driver);
+  request(board, driver);
   board.run(5);
   assertInBootLoader(board);
 }));
@@ -64,7 +64,7 @@ test('a board that drives refuses and drives on; one that is armed and asleep go
 test('a frame with another key is refused', withBoard((board, driver) => {
   driver.enumerate();
   const { refused } = driver.last;
-  ask(board, driver, 0x12345678);
+  request(board, driver, 0x12345678);
   board.run(20);
   assert.equal(board.chip.bootLoader, undefined);
   assert.equal(driver.last.refused, refused + 1);

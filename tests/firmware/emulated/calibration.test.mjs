@@ -47,13 +47,13 @@ function readings(elf) {
     const errors = calibration.uvPerA.flatMap((uvPerA, k) => [
       kErrorKinds.gain, k, uvPerA / kDesign.uvPerA, kErrorKinds.offset, k, (calibration.zeroUv[k] - kDesign.zeroUv) / kDesign.uvPerA,
     ]);
-    board.plant.ask(`error ${errors.join(' ')}`);
+    board.plant.command(`error ${errors.join(' ')}`);
     const mean = () => {
-      const sums = { said: [0, 0, 0], flows: [0, 0, 0] };
+      const sums = { measured: [0, 0, 0], flows: [0, 0, 0] };
       for (let i = 0; i < kMean; ++i) {
         board.run(1);
         for (let k = 0; k < 3; ++k) {
-          sums.said[k] += driver.last.currentMa[k] / kMean;
+          sums.measured[k] += driver.last.currentMa[k] / kMean;
           sums.flows[k] += board.readings.trueMa[k] / kMean;
         }
       }
@@ -70,13 +70,13 @@ function readings(elf) {
   }
 }
 
-const worst = ({ said, flows }) => Math.max(...said.map((one, k) => Math.abs(one - flows[k])));
+const worst = ({ measured, flows }) => Math.max(...measured.map((one, k) => Math.abs(one - flows[k])));
 
 test('a calibrated image reads what flows, at rest and at 5 A, in each winding', () => {
   const { rest, driven } = readings(calibratedImage());
   assert.ok(Math.min(...driven.flows.map(Math.abs)) > 3000, `${driven.flows} mA`);
-  assert.ok(worst(rest) < kMaxErrorMa, `${rest.said} for ${rest.flows} mA`);
-  assert.ok(worst(driven) < kMaxErrorMa, `${driven.said} for ${driven.flows} mA`);
+  assert.ok(worst(rest) < kMaxErrorMa, `${rest.measured} for ${rest.flows} mA`);
+  assert.ok(worst(driven) < kMaxErrorMa, `${driven.measured} for ${driven.flows} mA`);
 });
 
 test('without these figures the same electronics are read wrongly', { skip: own !== undefined }, () => {
@@ -84,8 +84,8 @@ test('without these figures the same electronics are read wrongly', { skip: own 
   for (let k = 0; k < 3; ++k) {
     const zeroMa = (calibration.zeroUv[k] - kDesign.zeroUv) / kDesign.uvPerA * 1000;
     const gain = calibration.uvPerA[k] / kDesign.uvPerA;
-    assert.ok(Math.abs(rest.said[k] - rest.flows[k] - zeroMa) < kMaxErrorMa, `winding ${k}: ${rest.said[k]} mA`);
-    assert.ok(Math.abs(driven.said[k] - gain * driven.flows[k] - zeroMa) < kMaxErrorMa, `winding ${k}: ${driven.said[k]} mA`);
+    assert.ok(Math.abs(rest.measured[k] - rest.flows[k] - zeroMa) < kMaxErrorMa, `winding ${k}: ${rest.measured[k]} mA`);
+    assert.ok(Math.abs(driven.measured[k] - gain * driven.flows[k] - zeroMa) < kMaxErrorMa, `winding ${k}: ${driven.measured[k]} mA`);
   }
 });
 
@@ -103,13 +103,13 @@ test('a calibration may be as far from the design as its parts, and no farther',
   const text = readFileSync(file, 'utf8');
   assert.equal(compiled(text), '');
   const put = (name, value) => text.replace(new RegExp(`(${name}(?:\\[\\])? = \\{?)[\\d']+`), `$1${value}`);
-  for (const [name, least, most, sentence] of [
+  for (const [name, min, max, sentence] of [
     ['kCurrentZeroUv', kDesign.zeroUv - 8000, kDesign.zeroUv + 8000, /repeat step 2/],
     ['kCurrentUvPerA', 0.98 * kDesign.uvPerA, 1.02 * kDesign.uvPerA, /repeat step 5/],
     ['kShuntUvPerA', 0.98 * kDesign.shuntUvPerA, 1.02 * kDesign.shuntUvPerA, /repeat step 5/],
   ]) {
-    for (const value of [least, most]) assert.equal(compiled(put(name, value)), '', `${name} ${value}`);
-    for (const value of [least - 1, most + 1, 0]) assert.match(compiled(put(name, value)), sentence, `${name} ${value}`);
+    for (const value of [min, max]) assert.equal(compiled(put(name, value)), '', `${name} ${value}`);
+    for (const value of [min - 1, max + 1, 0]) assert.match(compiled(put(name, value)), sentence, `${name} ${value}`);
   }
   assert.match(compiled(text.replace(/(kCurrentZeroUv\[\] = \{[^,]*,[^,]*),[^}]*/, '$1')), /three figures/);
 });

@@ -147,21 +147,21 @@ export class Chip {
       peripheral.writeUint32 = (offset, value) => registers.set(offset, value);
     };
     let sent = [];
-    const answers = [];
+    const responses = [];
     const qspi = mcu.peripherals[slot(kIoQspi)];
     store(qspi);
     qspi.writeUint32 = () => { sent = []; };
     const ssi = mcu.peripherals[slot(kSsi)];
     const values = new Map();
     ssi.readUint32 = (offset) => {
-      if (offset === 0x28) return 0x06 | (answers.length > 0 ? 8 : 0);
-      return offset === 0x60 ? answers.shift() ?? 0 : values.get(offset) ?? 0;
+      if (offset === 0x28) return 0x06 | (responses.length > 0 ? 8 : 0);
+      return offset === 0x60 ? responses.shift() ?? 0 : values.get(offset) ?? 0;
     };
     ssi.writeUint32 = (offset, value) => {
       values.set(offset, value);
       if (offset !== 0x60) return;
       sent.push(value & 255);
-      answers.push(sent[0] === 0x4b && sent.length > 5 ? this.flashId[sent.length - 6] ?? 0xff : 0xff);
+      responses.push(sent[0] === 0x4b && sent.length > 5 ? this.flashId[sent.length - 6] ?? 0xff : 0xff);
     };
   }
 

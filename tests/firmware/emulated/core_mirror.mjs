@@ -19,8 +19,8 @@ export class CoreMirror {
     this.turn = 0;
     this.ntc = [0, 0, 0];
     this.complete = false;
-    board.plant.ask('core');
-    board.host.onTaken = (packet) => this.packets.push(Buffer.from(packet).toString('hex'));
+    board.plant.command('core');
+    board.host.onReceived = (packet) => this.packets.push(Buffer.from(packet).toString('hex'));
     // A packet received during the conversions still counts in this millisecond.
     board.onTick = (readings) => { this.readings = readings; };
     board.onApply = () => {
@@ -42,7 +42,7 @@ export class CoreMirror {
     this.complete ||= converted;
     const ntc = this.ntc.map((value, k) => (this.complete || k < this.turn ? value : this.ntc[0]));
     const { current, shunt, supply, faultsLow } = readings;
-    const frame = Buffer.from(this.board.plant.ask(
+    const frame = Buffer.from(this.board.plant.command(
       ['frame', ...current, shunt, supply, ...ntc, converted ? 1 : 0, faultsLow, 0, ...this.packets].join(' ')), 'hex');
     this.packets = [];
     this.frames.set(frame.readUInt32LE(4), frame);

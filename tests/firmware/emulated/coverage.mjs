@@ -30,14 +30,14 @@ for (const line of table.split('\n')) {
 }
 
 let all = 0;
-let met = 0;
+let covered = 0;
 for (const [name, lines] of [...files].sort()) {
   const missed = [...lines].filter(([, was]) => !was).map(([line]) => line).sort((a, b) => a - b);
   all += lines.size;
-  met += lines.size - missed.length;
+  covered += lines.size - missed.length;
   console.log(`${name}: ${lines.size - missed.length} of ${lines.size} lines${missed.length > 0 ? `; not ${missed.join(', ')}` : ''}`);
 }
-const percent = (100 * met) / all;
+const percent = (100 * covered) / all;
 console.log(`${percent.toFixed(1)} % of the image's own lines were executed`);
 if (!(percent >= kMinPercent)) {
   console.error(`coverage.mjs: less than ${kMinPercent} %`);

@@ -13,13 +13,13 @@ import { Ball } from '../../../clients/js/src/node.js';
 const kSimboard = fileURLToPath(new URL('simboard.mjs', import.meta.url));
 const kPollMs = 20;
 /** Timeout of every wait in real time; assertions are in the ball's time. */
-const kPatienceMs = 500_000;
+const kTimeoutMs = 500_000;
 
-/** Waits until `look()` returns a value; returns it. */
-export async function eventually(what, look) {
-  for (const end = Date.now() + kPatienceMs; Date.now() < end; await pause(kPollMs)) {
-    const seen = await look();
-    if (seen) return seen;
+/** Waits until `condition()` returns a value; returns it. */
+export async function eventually(what, condition) {
+  for (const end = Date.now() + kTimeoutMs; Date.now() < end; await pause(kPollMs)) {
+    const value = await condition();
+    if (value) return value;
   }
   throw new Error(`never: ${what}`);
 }
@@ -64,7 +64,7 @@ export class DaemonOnBoard {
     }
     if (!daemon.address) throw new Error(`hedgehogd ended: ${daemon.log}`);
     daemon.environment.HEDGEHOG_ADDRESS = daemon.address;
-    daemon.ball = await Ball.connect({ address: daemon.address, patienceMs: kPatienceMs });
+    daemon.ball = await Ball.connect({ address: daemon.address, timeoutMs: kTimeoutMs });
     return daemon;
   }
 
@@ -83,10 +83,10 @@ export class DaemonOnBoard {
     return this.trace().slice(before);
   }
 
-  state(wanted) {
-    return eventually(`the ball is ${wanted}`, async () => {
+  state(expected) {
+    return eventually(`the ball is ${expected}`, async () => {
       const status = await this.ball.status();
-      return status.state === wanted && status;
+      return status.state === expected && status;
     });
   }
 

@@ -56,7 +56,7 @@ function assertDeadMan(lines) {
   assert.equal(zero.fan, 4999);
 }
 
-test('a pulse and a circle flow through the ball as they were asked for', withDaemon(async (daemon, ball) => {
+test('a pulse and a circle have the requested currents', withDaemon(async (daemon, ball) => {
   const status = await daemon.state('armed');
   assert.ok(Math.abs(status.supply_v - 12) < 0.3);
   assert.equal(status.temperature_c.sensors.length, 3);
@@ -92,7 +92,7 @@ test('a host that does nothing for 150 ms finds the ball latched, and arms it ag
   const status = await daemon.state('tripped');
   assert.equal(status.reason, 'board_dead_man');
   assert.ok(Math.hypot(...(await trueCurrent(ball))) < 0.1);
-  await eventually('it can be armed', () => ball.call('device.arm').then((answer) => answer.state === 'armed', () => false));
+  await eventually('it can be armed', () => ball.call('device.arm').then((response) => response.state === 'armed', () => false));
   await drive(daemon);
 }));
 
@@ -105,7 +105,7 @@ test('a thermistor that breaks trips, and the ball stays off until it is whole a
   await assert.rejects(ball.call('device.arm'));
   await assert.rejects(ball.hold('left', { slot: 'test', current_a: 8, lease_ms: 10_000 }));
   await ball.call('sim.set', { fault: { faults: [] } });
-  await eventually('it can be armed', () => ball.call('device.arm').then((answer) => answer.state === 'armed', () => false));
+  await eventually('it can be armed', () => ball.call('device.arm').then((response) => response.state === 'armed', () => false));
   await drive(daemon);
 }));
 
@@ -116,7 +116,7 @@ test('a firmware that hangs is reset by its watchdog, and the daemon does not dr
   await eventually('no current', async () => Math.hypot(...(await trueCurrent(ball))) < 0.1);
   assert.ok(lines.every((line) => line.event !== 'exit'));
   await eventually('the ball is not armed', async () => (await ball.status()).state !== 'armed');
-  await eventually('it can be armed', () => ball.call('device.arm').then((answer) => answer.state === 'armed', () => false));
+  await eventually('it can be armed', () => ball.call('device.arm').then((response) => response.state === 'armed', () => false));
   await drive(daemon);
 }));
 
@@ -124,7 +124,7 @@ test('USB that is pulled ends the current, and the board is found again', withDa
   await drive(daemon);
   assertDeadMan(await daemon.control('unplug 300'));
   await eventually('the ball is not armed', async () => (await ball.status()).state !== 'armed');
-  await eventually('it can be armed', () => ball.call('device.arm').then((answer) => answer.state === 'armed', () => false));
+  await eventually('it can be armed', () => ball.call('device.arm').then((response) => response.state === 'armed', () => false));
   await drive(daemon);
 }));
 

@@ -6,11 +6,11 @@ import { join } from 'node:path';
 import { Board, Driver } from './board.mjs';
 import { kMode } from './frames.mjs';
 
-let kept = 0;
+let saved = 0;
 
-function keepCoverage(board) {
+function saveCoverage(board) {
   const folder = process.env.HEDGEHOG_FIRMWARE_COVERAGE;
-  if (folder) writeFileSync(join(folder, `${process.pid}-${++kept}.json`), JSON.stringify(board.chip.executed()));
+  if (folder) writeFileSync(join(folder, `${process.pid}-${++saved}.json`), JSON.stringify(board.chip.executed()));
 }
 
 export function withBoard(body, options) {
@@ -23,7 +23,7 @@ export function withBoard(body, options) {
       assert.equal(board.host.counts.unarmed, 0, 'buffers armed in one step');
       assert.equal(board.host.counts.late, 0, 'bulk packets armed at the end of a frame (E15)');
     } finally {
-      keepCoverage(board);
+      saveCoverage(board);
       board.close();
     }
   };

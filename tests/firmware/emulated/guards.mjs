@@ -45,7 +45,7 @@ const kTests = readdirSync(here).filter((name) => name.endsWith('.test.mjs')).ma
 const kTimeoutMs = 120_000;
 
 /** 0, 1 or 65, as the program's exit code. */
-async function judge(guard) {
+async function testGuard(guard) {
   const folder = mkdtempSync(join(tmpdir(), 'hedgehog-guard-'));
   try {
     if (!copyWithout(guard, folder)) {
@@ -54,7 +54,7 @@ async function judge(guard) {
     }
     const built = await run(join(folder, 'firmware/build.sh'), [join(folder, 'out'), resolve(image)]);
     if (built.code !== 0) {
-      console.error(`BROKEN    ${guard.name}: does not build\n${built.said}`);
+      console.error(`BROKEN    ${guard.name}: does not build\n${built.output}`);
       return 65;
     }
     const blind = [];
@@ -85,7 +85,7 @@ if (!image || guards.length === 0) {
 } else {
   let next = 0;
   const worker = async () => {
-    while (next < guards.length) process.exitCode = Math.max(process.exitCode ?? 0, await judge(guards[next++]));
+    while (next < guards.length) process.exitCode = Math.max(process.exitCode ?? 0, await testGuard(guards[next++]));
   };
   await Promise.all(Array.from({ length: Number(process.env.JOBS ?? 2) }, worker));
   if (process.exitCode === 0) console.log(`${guards.length} guards of the image, each seen red`);

@@ -13,8 +13,8 @@ const kError = { currentGain: 0, supplyGain: 2, pwmStuck: 5, thermistorK: 6 };
 const kThirteenAmps = [0.5, 0, 0];
 const kWindings = [0, 1, 2];
 
-const faults = (bits, winding = 0) => ({ board }) => board.plant.ask(`faults ${bits} ${winding}`);
-const error = (kind, winding, value) => ({ board }) => board.plant.ask(`error ${kind} ${winding} ${value}`);
+const faults = (bits, winding = 0) => ({ board }) => board.plant.command(`faults ${bits} ${winding}`);
+const error = (kind, winding, value) => ({ board }) => board.plant.command(`error ${kind} ${winding} ${value}`);
 /** The converter's value of the amplifier of winding x. */
 const shown = (value) => ({ board }) => { board.shownCurrent = value; };
 
@@ -23,13 +23,13 @@ const kHazards = [
   ...kWindings.map((k) => ({ what: `thermistor ${k} open`, begin: faults(kSim.open, k), fault: kFault.sensorOpen, withinMs: 25 })),
   ...kWindings.map((k) => ({ what: `thermistor ${k} shorted`, begin: faults(kSim.short, k), fault: kFault.sensorShort, withinMs: 25 })),
   ...kWindings.map((k) => ({ what: `thermistor ${k} above 75 C`, begin: error(kError.thermistorK, k, 55), fault: kFault.overHeat, withinMs: 62 })),
-  { what: 'too hot', begin: ({ board }) => board.plant.ask('heat 80'), fault: kFault.overHeat, withinMs: 62 },
+  { what: 'too hot', begin: ({ board }) => board.plant.command('heat 80'), fault: kFault.overHeat, withinMs: 62 },
   ...kWindings.map((k) => ({ what: `bridge ${k} reports a fault`, begin: faults(kSim.bridgeFault, k), fault: kFault.bridge, withinMs: 5 })),
   { what: 'a PWM line is stuck', begin: error(kError.pwmStuck, 1, 0.4), fault: kFault.unexpectedCurrent, withinMs: 30, again: true },
   { what: 'supply below 6.5 V', begin: faults(kSim.supplyLow), fault: kFault.supply, withinMs: 13 },
   { what: 'supply above 30 V', begin: error(kError.supplyGain, 0, 2.6), fault: kFault.supply, withinMs: 13 },
   { what: 'an amplifier’s line is open', begin: shown(0), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
-  { what: 'the converter does not answer', begin: ({ board }) => { board.converterAnswers = false; }, fault: kFault.unexpectedCurrent, withinMs: 8 },
+  { what: 'the converter does not answer', begin: ({ board }) => { board.converterResponds = false; }, fault: kFault.unexpectedCurrent, withinMs: 8 },
   { what: 'an amplifier’s line is at its supply', begin: shown(4095), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
   { what: 'an amplifier shows zero at 13 A', duty: kThirteenAmps, begin: shown(2048), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
   {
@@ -150,7 +150,7 @@ test('a thermistor opens under a flood of packets: the rules are kept', withBoar
   driver.drive(kFiveAmps);
   const flood = () => { while (board.host.outQueue.length < 8) board.host.outQueue.push(Buffer.alloc(64, 0x48)); };
   board.run(60, () => void flood());
-  board.plant.ask(`faults ${kSim.open} 1`);
+  board.plant.command(`faults ${kSim.open} 1`);
   board.events.length = 0;
   const { us } = board.chip;
   const ticks = board.ticks.length;

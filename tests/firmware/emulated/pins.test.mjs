@@ -41,16 +41,16 @@ test('each output has the drive that the netlist asks for, and reaches the level
 
 test('a pull inside the chip never works against a resistor of the board', withBoard((board, driver) => {
   driver.enumerate();
-  const judged = [];
+  const checked = [];
   for (const { name, net, gpio } of connected(board)) {
     if (gpio.functionSelect === kNoFunction) continue; // as in reset, which the electrical rules check
     for (const { other } of resistorsOn(reference, net)) {
-      if (other === 'GND' || other === '3V3') judged.push(net);
+      if (other === 'GND' || other === '3V3') checked.push(net);
       assert.ok(!(other === 'GND' && gpio.pullupEnabled), `${name} (${net}) pulls up`);
       assert.ok(!(other === '3V3' && gpio.pulldownEnabled), `${name} (${net}) pulls down`);
     }
   }
-  assert.deepEqual(judged.sort(), [
+  assert.deepEqual(checked.sort(), [
     'FAN_CTL', 'FLT_A', 'FLT_B', 'FLT_C', 'PWM_A', 'PWM_B', 'PWM_C', 'SLP', 'SPI_CS', 'SWITCH', 'TACH',
   ]);
 }));

@@ -22,7 +22,7 @@ export class Plant {
     this.buffer = Buffer.alloc(4096);
   }
 
-  ask(line) {
+  command(line) {
     writeSync(this.input, `${line}\n`);
     let length = 0;
     do {
@@ -35,21 +35,21 @@ export class Plant {
 
   /** One millisecond with these pin values; returns the converter's readings after it and the true values. */
   step({ pwm, direction, awake, closed, fan }) {
-    const n = this.ask(`step ${pwm.join(' ')} ${direction} ${awake ? 1 : 0} ${closed ? 1 : 0} ${fan}`).split(' ').map(Number);
+    const n = this.command(`step ${pwm.join(' ')} ${direction} ${awake ? 1 : 0} ${closed ? 1 : 0} ${fan}`).split(' ').map(Number);
     return {
       current: n.slice(0, 3), shunt: n[3], supply: n[4], ntc: n.slice(5, 8), faultsLow: n[8], tachUs: n[9],
       trueMa: n.slice(10, 13), fan: n[13] / 1000,
     };
   }
 
-  /** Packets of the host up to a set-point, waiting at most `patienceMs`; undefined: the host has disconnected. */
-  receive(patienceMs) {
-    const [state, begun, ...packets] = this.ask(`host ${patienceMs}`).split(' ');
+  /** Packets of the host up to a set-point, waiting at most `timeoutMs`; undefined: the host has disconnected. */
+  receive(timeoutMs) {
+    const [state, begun, ...packets] = this.command(`host ${timeoutMs}`).split(' ');
     if (state === 'closed') return undefined;
     return { begun: begun === '1', packets: packets.map((hex) => Buffer.from(hex, 'hex')) };
   }
 
-  answer(ms, packets) { this.ask(['answer', ms, ...packets.map((packet) => Buffer.from(packet).toString('hex'))].join(' ')); }
+  respond(ms, packets) { this.command(['answer', ms, ...packets.map((packet) => Buffer.from(packet).toString('hex'))].join(' ')); }
 
   close() {
     closeSync(this.input);

@@ -19,7 +19,7 @@ HEDGEHOG_PROGRAMS=$(realpath "$4")
 export HEDGEHOG_FIRMWARE_ELF HEDGEHOG_FIRMWARE_PLANT HEDGEHOG_NODE_MODULES HEDGEHOG_PROGRAMS
 "$here/../../../cmake/npm.sh" "$here" "$3"
 shift 4
-patience_ms=$((600000 + 10 * ${HEDGEHOG_FIRMWARE_TICKS:-0}))
+timeout_ms=$((600000 + 10 * ${HEDGEHOG_FIRMWARE_TICKS:-0}))
 case ${1-} in
   "") ;;
   guards | play)
@@ -29,7 +29,7 @@ case ${1-} in
   test)
     counts=$(mktemp)
     trap 'rm -f "$counts"' EXIT
-    node --test "--test-timeout=$patience_ms" --test-reporter=spec --test-reporter-destination=stdout \
+    node --test "--test-timeout=$timeout_ms" --test-reporter=spec --test-reporter-destination=stdout \
       --test-reporter=tap "--test-reporter-destination=$counts" "--test-name-pattern=${3-.}" "$here/$2.test.mjs"
     # A pattern that matches no name runs nothing, which node reports as a success.
     grep -q '^# pass [1-9]' "$counts" || { echo "run.sh: no test of $2 is named '${3-.}'" >&2; exit 64; }
@@ -39,5 +39,5 @@ esac
 HEDGEHOG_FIRMWARE_COVERAGE=$(mktemp -d)
 export HEDGEHOG_FIRMWARE_COVERAGE
 trap 'rm -rf "$HEDGEHOG_FIRMWARE_COVERAGE"' EXIT
-node --test --test-concurrency=2 "--test-timeout=$patience_ms" --test-reporter=spec "$here"/*.test.mjs
+node --test --test-concurrency=2 "--test-timeout=$timeout_ms" --test-reporter=spec "$here"/*.test.mjs
 node "$here/coverage.mjs" "$HEDGEHOG_FIRMWARE_ELF" "$HEDGEHOG_FIRMWARE_COVERAGE"

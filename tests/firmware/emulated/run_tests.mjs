@@ -11,9 +11,9 @@ const literally = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
 /** The output of a program, and its exit code. */
 export const run = (program, args, env = {}) => new Promise((done) => {
   const child = spawn(program, args, { env: { ...process.env, ...env } });
-  let said = '';
-  for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => { said += data; });
-  child.on('close', (code) => done({ code, said }));
+  let output = '';
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => { output += data; });
+  child.on('close', (code) => done({ code, output }));
 });
 
 /** Runs the tests of `files` whose name contains `word`. {red: names of those that failed, problem: why the run is invalid; empty: it is
@@ -22,14 +22,14 @@ export async function runTests(files, word, { timeoutMs, env = {} }) {
   // Inside another test, Node would skip these tests.
   const ended = await run(process.execPath, ['--test', `--test-reporter=${reporter}`, `--test-timeout=${timeoutMs}`, `--test-name-pattern=${literally(word)}`, ...files],
     { ...env, NODE_TEST_CONTEXT: undefined });
-  const outcomes = ended.said.split('\n').filter((line) => line.startsWith('{"name"')).map((line) => JSON.parse(line));
-  const ours = outcomes.filter(({ name }) => name.includes(word));
+  const outcomes = ended.output.split('\n').filter((line) => line.startsWith('{"name"')).map((line) => JSON.parse(line));
+  const matching = outcomes.filter(({ name }) => name.includes(word));
   // For a test that does not end, Node reports its file.
-  const unjudged = outcomes.filter(({ failure }) => failure && !kFound.includes(failure));
-  const red = ours.filter(({ failure }) => kFound.includes(failure)).map(({ name }) => name);
+  const unfinished = outcomes.filter(({ failure }) => failure && !kFound.includes(failure));
+  const red = matching.filter(({ failure }) => kFound.includes(failure)).map(({ name }) => name);
   let problem = '';
-  if (unjudged.length > 0) problem = `did not end: ${unjudged.map(({ name, message }) => `${name}: ${message}`).join('; ')}`;
-  else if (red.length === 0 && ended.code !== 0) problem = `failed otherwise\n${ended.said}`;
-  else if (ours.length === 0) problem = 'there is no such test';
+  if (unfinished.length > 0) problem = `did not end: ${unfinished.map(({ name, message }) => `${name}: ${message}`).join('; ')}`;
+  else if (red.length === 0 && ended.code !== 0) problem = `failed otherwise\n${ended.output}`;
+  else if (matching.length === 0) problem = 'there is no such test';
   return { red, problem };
 }

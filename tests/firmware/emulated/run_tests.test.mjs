@@ -15,7 +15,7 @@ test('endless one (of two)', () => new Promise(() => setInterval(() => {}, 1000)
 test('endless two, busy', () => { for (;;); });
 `;
 
-async function judged(word, timeoutMs = 600_000) {
+async function outcomeOf(word, timeoutMs = 600_000) {
   const folder = mkdtempSync(join(tmpdir(), 'hedgehog-outcomes-'));
   try {
     writeFileSync(join(folder, 'example.test.mjs'), kExample);
@@ -25,17 +25,17 @@ async function judged(word, timeoutMs = 600_000) {
   }
 }
 
-test('a test that fails is red', async () => assert.deepEqual(await judged('bad one'), { red: ['bad one'], problem: '' }));
+test('a test that fails is red', async () => assert.deepEqual(await outcomeOf('bad one'), { red: ['bad one'], problem: '' }));
 
-test('a test that passes is not', async () => assert.deepEqual(await judged('good one'), { red: [], problem: '' }));
+test('a test that passes is not', async () => assert.deepEqual(await outcomeOf('good one'), { red: [], problem: '' }));
 
 for (const word of ['endless one (of two)', 'endless two'])
   test(`a time-out is no red test but an error: ${word}`, async () => {
-    const { red, problem } = await judged(word, 2000);
+    const { red, problem } = await outcomeOf(word, 2000);
     assert.deepEqual(red, []);
     assert.match(problem, /^did not end: .*timed out/);
   });
 
 test('a name that no test has is an error', async () => {
-  assert.deepEqual(await judged('no such'), { red: [], problem: 'there is no such test' });
+  assert.deepEqual(await outcomeOf('no such'), { red: [], problem: 'there is no such test' });
 });

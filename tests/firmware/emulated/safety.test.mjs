@@ -41,8 +41,8 @@ test('the fan is measured by its tach', withBoard((board, driver) => {
 
 test('the dead-man acts 100 ms +- 1 ms after the last set-point, at the pins', withBoard((board, driver) => {
   let lastSent = 0;
-  const remember = (packet, us) => { lastSent = us; };
-  board.host.onOut = remember;
+  const record = (packet, us) => { lastSent = us; };
+  board.host.onOut = record;
   for (let round = 0; round < 3; ++round) {
     if (round === 0) driver.drive(kFiveAmps);
     else {
@@ -58,7 +58,7 @@ test('the dead-man acts 100 ms +- 1 ms after the last set-point, at the pins', w
     board.host.onOut = (packet, us) => { last = us; };
     board.events.length = 0;
     board.run(120);
-    board.host.onOut = remember;
+    board.host.onOut = record;
     assert.equal(board.events[0].awake, false);
     const ms = (board.events[0].us - last) / 1000;
     assert.ok(ms > 99 && ms < 101, `${ms} ms`);
@@ -102,7 +102,7 @@ test('a bridge that drives while it should sleep loses its supply', withBoard((b
   driver.enumerate();
   board.run(30);
   assert.equal(board.pins().closed, true);
-  board.plant.ask(`faults ${kStuckBridge} 0`);
+  board.plant.command(`faults ${kStuckBridge} 0`);
   board.run(100);
   assert.equal(board.pins().closed, false);
   assert.ok(driver.last.faults & kFault.stuckBridge);
@@ -152,16 +152,16 @@ test('a flood of bad packets neither drives, nor feeds the dead-man, nor holds t
     () => setPoint(1, newest),
   ];
   let sent = 0;
-  let most = 0;
+  let max = 0;
   const fill = () => {
     while (board.host.outQueue.length < 8) board.host.outQueue.push(kBad[sent++ % kBad.length]());
-    most = Math.max(most, board.trueMa);
+    max = Math.max(max, board.trueMa);
   };
   const ticks = board.ticks.length;
   board.events.length = 0;
   board.run(150, () => void fill());
   assert.ok(sent > 500, `${sent} packets`);
-  assert.ok(most < 6000, `${most} mA`);
+  assert.ok(max < 6000, `${max} mA`);
   assert.ok(board.events[0].us - us < 101e3, 'asleep');
   assert.ok(board.ticks.length - ticks >= 149, 'every millisecond was kept');
   assert.equal(driver.last.mode, kMode.latched);

@@ -16,7 +16,7 @@ const kNoCurrentMa = 100;
 const kMaxQueued = 16;
 const kShutdownMs = 5000;
 const kPollMs = 20;
-const kTicksPerLook = 20;
+const kTicksPerPoll = 20;
 
 const words = process.argv.slice(2);
 const option = (name) => (words.includes(name) ? words[words.indexOf(name) + 1] : undefined);
@@ -93,7 +93,7 @@ class ServedBoard {
   }
 
   /** Executes the lines of a test, once the file is complete. */
-  obey() {
+  runCommands() {
     if (!this.control || !existsSync(this.control)) return;
     const lines = readFileSync(this.control, 'utf8').trim().split('\n');
     for (const line of lines) {
@@ -115,16 +115,16 @@ class ServedBoard {
 
   serve() {
     this.note('start');
-    for (let look = 0; ; ++look) {
+    for (let tick = 0; ; ++tick) {
       const received = this.board.plant.receive(kPollMs);
       if (received === undefined) return;
-      if (!received.begun || look % kTicksPerLook === 0) this.obey();
+      if (!received.begun || tick % kTicksPerPoll === 0) this.runCommands();
       this.host.outQueue.push(...received.packets);
       if (!received.begun) continue;
       this.enumerate();
       this.host.outQueue.splice(0, this.host.outQueue.length - kMaxQueued);
       this.millisecond();
-      this.board.plant.answer(++this.ms, this.host.received.splice(0).map(({ packet }) => packet));
+      this.board.plant.respond(++this.ms, this.host.received.splice(0).map(({ packet }) => packet));
     }
   }
 

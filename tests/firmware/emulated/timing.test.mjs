@@ -36,7 +36,7 @@ function noise(state) {
 function measureLatency(board, driver, ms, lateUs) {
   const arrived = new Map();
   const sent = [];
-  const answered = [];
+  const responses = [];
   let shown = 0;
   board.host.onFrame = () => {
     board.after(lateUs(), () => {
@@ -53,7 +53,7 @@ function measureLatency(board, driver, ms, lateUs) {
   board.host.onIn = (packet, us) => {
     driver.last = telemetry(packet);
     const set = arrived.get(driver.last.setPoint);
-    if (set !== undefined && driver.last.setPoint !== shown) answered.push(us - set);
+    if (set !== undefined && driver.last.setPoint !== shown) responses.push(us - set);
     shown = driver.last.setPoint;
   };
   board.applied.length = 0;
@@ -64,7 +64,7 @@ function measureLatency(board, driver, ms, lateUs) {
     const write = board.applied.find((one) => one.us > us && one.value === value);
     if (write && write.us - us < 2000) pwm.push(write.us - us);
   }
-  return { all: sent.length, pwm, answered };
+  return { all: sent.length, pwm, responses };
 }
 
 const kSettlingMs = 250;
@@ -80,14 +80,14 @@ for (const [which, frameNanos, lateUs] of kHosts) {
     driver.drive([0, 0, 0], 5);
     board.host.frameNanos = frameNanos;
     measureLatency(board, driver, kSettlingMs, lateUs);
-    const { all, pwm, answered } = measureLatency(board, driver, 500, lateUs);
+    const { all, pwm, responses } = measureLatency(board, driver, 500, lateUs);
     assert.ok(pwm.length > 0.99 * all - 3, `${pwm.length} of ${all}`);
-    assert.ok(answered.length > 0.99 * all - 3, `${answered.length} of ${all}`);
+    assert.ok(responses.length > 0.99 * all - 3, `${responses.length} of ${all}`);
     const us = (values, share) => percentile(values, share).toFixed(0);
     console.log(`host ${which}:\nset-point to PWM, its period's end included: median ${us(pwm, 0.5)} us, worst ${us(pwm, 1)} us\n${histogram(pwm, 50)}`);
-    console.log(`set-point to telemetry at the host: median ${us(answered, 0.5)} us, worst ${us(answered, 1)} us\n${histogram(answered, 50)}`);
+    console.log(`set-point to telemetry at the host: median ${us(responses, 0.5)} us, worst ${us(responses, 1)} us\n${histogram(responses, 50)}`);
     assert.ok(percentile(pwm, 1) <= 1000);
-    assert.ok(percentile(answered, 1) < 1600);
+    assert.ok(percentile(responses, 1) < 1600);
   }));
 }
 
@@ -131,8 +131,8 @@ test(`${kTicks} frames are those of the board core on the host`, withBoard((boar
     if (ms % 400 === 0) driver.arm();
     if (random(40) === 0)
       driver.target = { enable: random(5) > 0, duty: [0, 1, 2].map(() => (random(2001) - 1000) / 1400), boost: [0.1, -0.1, 0], fan: random(256) };
-    if (random(700) === 0) board.plant.ask(`faults ${1 << random(13)} ${random(3)}`);
-    if (random(150) === 0) board.plant.ask('faults 0 0');
+    if (random(700) === 0) board.plant.command(`faults ${1 << random(13)} ${random(3)}`);
+    if (random(150) === 0) board.plant.command('faults 0 0');
     driver.sending = ms % 1500 < 1300;
     if (random(20) === 0) board.host.outQueue.push(Buffer.alloc(random(64) + 1, random(256)));
     board.run(1);

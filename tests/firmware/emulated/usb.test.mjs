@@ -7,7 +7,7 @@ import { kFault, kMode } from './frames.mjs';
 
 const hex = (bytes) => Buffer.from(bytes).toString('hex');
 
-test('says what daemon/device/board-protocol.md has in its table', withBoard((board, driver) => {
+test('sends the descriptors of daemon/device/board-protocol.md', withBoard((board, driver) => {
   const { device, configuration, strings } = driver.enumerate();
   assert.equal(hex(device), '120110020000004009120100020101020301');
   assert.equal(hex(configuration), '09022000010100c0320904000002ff4801000705010240000007058102400000');

@@ -30,14 +30,14 @@ export class UsbHost {
     this.onFrame = () => {};
     this.onIn = () => {};
     this.onOut = () => {};
-    this.onTaken = () => {}; // called when a bulk packet has been read from the controller's memory
+    this.onReceived = () => {}; // called when a bulk packet has been read from the controller's memory
     this.busyHub = false;
-    this.deaf = false;
+    this.unresponsive = false;
     this.counts = { sof: 0, nak: 0, stall: 0, toggle: 0, late: 0, unarmed: 0 };
-    this.forget();
+    this.resetBus();
   }
 
-  forget() {
+  resetBus() {
     this.address = 0;
     this.toggle = new Map();
     this.configured = false;
@@ -46,7 +46,7 @@ export class UsbHost {
   attach(mcu, chip) {
     this.chip = chip;
     this.mcu = mcu;
-    this.forget();
+    this.resetBus();
     this.phy = new Map();
     this.idleUs = undefined;
     this.frameUs = -1e9;
@@ -86,7 +86,7 @@ export class UsbHost {
     const idle = muxing === 12 && pin.functionSelect === 8 && pin.inputOverride === 3 && pin.outputEnableOverride === 2 && pullUp;
     if (idle) this.idleUs = this.chip.us;
     else if (muxing === 9 && this.idleUs !== undefined) {
-      if (this.chip.us - this.idleUs >= 800) this.deaf = false;
+      if (this.chip.us - this.idleUs >= 800) this.unresponsive = false;
       this.idleUs = undefined;
     }
   }
@@ -103,7 +103,7 @@ export class UsbHost {
       if (before?.value !== (value & ~kAvailable) || cycles - before.cycles < kArmCycles) ++this.counts.unarmed;
       const into = this.chip.us - this.frameUs;
       if (offset === 0x8c && this.unread !== undefined) {
-        this.onTaken(this.unread);
+        this.onReceived(this.unread);
         this.unread = undefined;
       }
       if (offset === 0x88 && into >= 800 && into < 998) ++this.counts.late;
@@ -146,7 +146,7 @@ export class UsbHost {
   }
 
   listens() {
-    return this.connected && !this.deaf && (this.usb.addrEndp & 0x7f) === this.address && !(this.usb.sieStatus & kBusReset);
+    return this.connected && !this.unresponsive && (this.usb.addrEndp & 0x7f) === this.address && !(this.usb.sieStatus & kBusReset);
   }
 
   enabled(endpoint, out) {
@@ -178,21 +178,21 @@ export class UsbHost {
   }
 
   in(endpoint) {
-    const met = this.token(endpoint, false);
-    if (typeof met === 'string') return met;
+    const buffer = this.token(endpoint, false);
+    if (typeof buffer === 'string') return buffer;
     const offset = this.usb.getEndpointBufferOffset(endpoint, false);
-    const data = this.mcu.usbDPRAM.slice(offset, offset + (met.control & 0x3ff));
-    this.mcu.usbDPRAMView.setUint32(met.at, met.control & ~(kAvailable | kFull), true);
+    const data = this.mcu.usbDPRAM.slice(offset, offset + (buffer.control & 0x3ff));
+    this.mcu.usbDPRAMView.setUint32(buffer.at, buffer.control & ~(kAvailable | kFull), true);
     this.usb.indicateBufferReady(endpoint, false);
     return data;
   }
 
   out(endpoint, data) {
-    const met = this.token(endpoint, true);
-    if (typeof met === 'string') return met;
-    const length = Math.min(data.length, met.control & 0x3ff);
+    const buffer = this.token(endpoint, true);
+    if (typeof buffer === 'string') return buffer;
+    const length = Math.min(data.length, buffer.control & 0x3ff);
     this.mcu.usbDPRAM.set(data.subarray(0, length), this.usb.getEndpointBufferOffset(endpoint, true));
-    this.mcu.usbDPRAMView.setUint32(met.at, (met.control & ~(kAvailable | 0x3ff)) | kFull | length, true);
+    this.mcu.usbDPRAMView.setUint32(buffer.at, (buffer.control & ~(kAvailable | 0x3ff)) | kFull | length, true);
     if (endpoint > 0) this.unread = data;
     this.usb.indicateBufferReady(endpoint, true);
     return 'ack';
@@ -232,9 +232,9 @@ export class UsbHost {
   }
 
   reset() {
-    this.forget();
+    this.resetBus();
     this.chip.run(10000);
-    this.deaf = this.busyHub && this.chip.revision < 2;
+    this.unresponsive = this.busyHub && this.chip.revision < 2;
     this.usb.sieStatus |= kBusReset;
     this.usb.sieStatusUpdated();
     this.chip.run(10000);
@@ -275,7 +275,7 @@ export class UsbHost {
 
   plug(plugged) {
     this.plugged = plugged;
-    this.forget();
+    this.resetBus();
     this.mcu.gpio[kVbusPin].setInputValue(plugged);
   }
 }

@@ -141,7 +141,7 @@ TEST(ThermalFit, TooLittleDeterminesNothing) {
   EXPECT_FALSE(fit_thermal({heat(ball, plan, 0, plan.size() / 5)}, kR25, {}));
 }
 
-TEST(ThermalFit, WhatIsNoBallOfFourNodesIsRefused) {
+TEST(ThermalFit, DataThatFitsNoFourNodesIsRefused) {
   const auto plan = heating_plan();
   const Drawn drawn = draw(6);
   HeatedBall ball(drawn.plant, drawn.readings, drawn.ambient_c, 6);

@@ -81,7 +81,7 @@ struct ClassAngles {
 
 // Reference: physics.md section 2, the canonical angles.
 TEST(SymmetryClasses, CanonicalAngles) {
-  const std::vector<ClassAngles> wanted{
+  const std::vector<ClassAngles> expected{
       {"cD", 12, {{16.7896, 5}}, {{31.7175, 5}}},
       {"cD", 30, {{20.4056, 4}, {20.9052, 2}}, {{31.7175, 2}, {36.0, 4}}},
       {"wD", 12, {{12.0875, 5}}, {{22.9809, 5}}},
@@ -96,7 +96,7 @@ TEST(SymmetryClasses, CanonicalAngles) {
        {{19.8178, 1}, {22.9893, 2}, {23.7994, 1}, {23.9222, 2}}},
       {"tkD", 20, {{13.9715, 6}}, {{23.9222, 6}}},
   };
-  for (const ClassAngles& w : wanted) {
+  for (const ClassAngles& w : expected) {
     const auto classes = symmetry_classes(named(w.array));
     const auto found = std::find_if(classes.begin(), classes.end(),
                                     [&](const PinClass& c) { return c.pins.size() == w.size; });
@@ -112,7 +112,7 @@ TEST(SymmetryClasses, CanonicalAngles) {
   }
 }
 
-TEST(SymmetryClasses, FoundWithoutBeingTold) {
+TEST(SymmetryClasses, AreDetected) {
   EXPECT_EQ(sizes_of(symmetry_classes(named("GP(1,0)"))), (std::vector<std::size_t>{12}));
   EXPECT_EQ(sizes_of(symmetry_classes(named("GP(1,1)"))), (std::vector<std::size_t>{12, 20}));
   EXPECT_EQ(sizes_of(symmetry_classes(named("cD"))), (std::vector<std::size_t>{12, 30}));
@@ -120,7 +120,7 @@ TEST(SymmetryClasses, FoundWithoutBeingTold) {
   EXPECT_EQ(sizes_of(symmetry_classes(named("tkD"))), (std::vector<std::size_t>{12, 60, 20}));
 }
 
-TEST(SymmetryClasses, NameTheirPinsInOrderWhateverTheArrangementsOwn) {
+TEST(SymmetryClasses, ListTheirPinsInOrderForAnyArrangement) {
   Arrangement turned = named("wD");
   std::reverse(turned.pins.begin(), turned.pins.end());
   std::reverse(turned.shields.begin(), turned.shields.end());
@@ -170,7 +170,7 @@ TEST(Arrangement, CountsOfTheNamedOnes) {
   }
 }
 
-TEST(Arrangement, PinsOfTheBallBearTheirNumbers) {
+TEST(Arrangement, PinsOfTheBallHaveTheirNumbers) {
   for (const char* name : {"tkD", "tkD-86", "tkD-86-5", "tkD-86-20"}) {
     const Arrangement ball = named(name);
     for (const Pin& pin : thesis_ball().array.pins) {
@@ -196,7 +196,7 @@ TEST(Arrangement, UnknownNamesHaveASentence) {
   }
 }
 
-TEST(Arrangement, SitesThatAreTakenOutKeepTheOthersNumbers) {
+TEST(Arrangement, RemovedSitesDoNotRenumberTheOthers) {
   const std::vector<int> pins{3, 5};
   const std::vector<int> shields{0};
   const Arrangement rest = without(named("cD"), pins, shields).value();
@@ -240,7 +240,7 @@ TEST(MagnetArray, BadSizesHaveASentence) {
             "the radius of the sphere must be above 0 and at most 1 m");
 }
 
-TEST(MagnetArray, WeighsWhatItsMagnetsWeigh) {
+TEST(MagnetArray, HasTheMassOfItsMagnets) {
   EXPECT_NEAR(magnets_mass_g(named("tkD-86"), {}), 484.4, 0.1);
 }
 

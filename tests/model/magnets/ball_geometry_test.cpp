@@ -35,14 +35,14 @@ std::string error_of(const BallGeometry& geometry) {
   return ball.has_error() ? ball.error().message : "";
 }
 
-TEST(BallGeometry, LeftOutItIsTheBallOfTheThesis) {
+TEST(BallGeometry, IsTheBallOfTheThesisByDefault) {
   const auto ball = ball_pins({}).value();
   EXPECT_EQ(ball.get(), &thesis_ball());
   EXPECT_EQ(ball->array.pins.size(), 86u);
   EXPECT_EQ(ball->curves.size(), 86u);
 }
 
-TEST(BallGeometry, OtherMagnetsOnTheSamePinsMoveThemOtherwise) {
+TEST(BallGeometry, OtherMagnetsOnTheSamePinsMoveThemDifferently) {
   BallGeometry weaker;
   weaker.sizes.shield.diameter_mm = 3.5;
   const auto ball = ball_pins(weaker).value();
@@ -115,7 +115,7 @@ TEST(BallGeometry, WithoutSymmetryHasTheCurvesThatAreComputedPinByPin) {
   }
 }
 
-TEST(BallGeometry, WhatCannotBeIsSaid) {
+TEST(BallGeometry, ImpossibleGeometriesAreReported) {
   EXPECT_THAT(error_of(small_magnets("tkD-85")), HasSubstr("unknown array 'tkD-85'"));
   BallGeometry geometry = small_magnets("cD");
   geometry.removed_pins = {42};

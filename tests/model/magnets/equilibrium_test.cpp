@@ -17,15 +17,15 @@ constexpr ForceSettings kSettings{ForceModel::kExact, 1e-6};
 
 // Reference: physics.md section 3, "all pins at rest together".
 TEST(Equilibrium, OfTheThesisArrays) {
-  struct Wanted {
+  struct Expected {
     const char* name;
     std::vector<double> offsets_mm;  // by class, nearest shield first
     double softest_n_mm;
     double stiffest_n_mm;
   };
-  for (const Wanted& w :
-       {Wanted{"cD", {-0.278, 0.423}, 0.144, 0.618}, Wanted{"wD", {-0.191, 0.294}, 0.317, 1.97},
-        Wanted{"tkD", {-0.197, 0.288, 0.190}, 0.436, 4.21}}) {
+  for (const Expected& w :
+       {Expected{"cD", {-0.278, 0.423}, 0.144, 0.618}, Expected{"wD", {-0.191, 0.294}, 0.317, 1.97},
+        Expected{"tkD", {-0.197, 0.288, 0.190}, 0.436, 4.21}}) {
     const Arrangement arrangement = arrangement_named(w.name).value();
     const Equilibrium got = find_equilibrium(arrangement, {}, kSettings).value();
     EXPECT_TRUE(got.stable());
@@ -103,9 +103,9 @@ TEST(Electromagnet, SpreadAroundAHexagon) {
   const auto spread = activation_spread(arrangement_named("tkD-86").value(), 17);
   ASSERT_EQ(spread.size(), 86u);
   EXPECT_EQ(spread.front().id, 17);
-  const double wanted[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
-  for (std::size_t i = 0; i < std::size(wanted); ++i) {
-    EXPECT_NEAR(spread[i].fraction, wanted[i], 6e-4);
+  const double expected[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
+  for (std::size_t i = 0; i < std::size(expected); ++i) {
+    EXPECT_NEAR(spread[i].fraction, expected[i], 6e-4);
     EXPECT_NEAR(std::cos(spread[i].angle_deg * 3.14159265358979 / 180.0), spread[i].fraction, 1e-9);
   }
 }

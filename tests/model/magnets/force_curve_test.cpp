@@ -88,22 +88,22 @@ TEST(ForceCurve, SelectedValuesOfTkd) {
     std::size_t size;
     std::array<double, 8> force_n;
   };
-  for (const Values& wanted : {Values{60,
-                                      {1.4314656, 0.4504609, 0.0173417, -0.3341031, -0.5959644,
-                                       -0.7739746, -0.8971010, 0.1168086}},
-                               Values{12,
-                                      {3.3432706, -0.1921579, -1.6021780, -2.4039483, -2.8039885,
-                                       -2.9493943, -2.5086642, -0.7070249}},
-                               Values{20,
-                                      {1.3232304, 0.4485091, 0.0583559, -0.2689249, -0.5249527,
-                                       -0.7108781, -0.9081104, 0.0283051}}}) {
-    const PinForce force = force_of("tkD", wanted.size);
+  for (const Values& expected : {Values{60,
+                                        {1.4314656, 0.4504609, 0.0173417, -0.3341031, -0.5959644,
+                                         -0.7739746, -0.8971010, 0.1168086}},
+                                 Values{12,
+                                        {3.3432706, -0.1921579, -1.6021780, -2.4039483, -2.8039885,
+                                         -2.9493943, -2.5086642, -0.7070249}},
+                                 Values{20,
+                                        {1.3232304, 0.4485091, 0.0583559, -0.2689249, -0.5249527,
+                                         -0.7108781, -0.9081104, 0.0283051}}}) {
+    const PinForce force = force_of("tkD", expected.size);
     const ForceCurve curve = force_curve(force);
     for (std::size_t i = 0; i < kOffsets.size(); ++i) {
-      EXPECT_NEAR(force.at(kOffsets[i]).force_n, wanted.force_n[i], 1e-5);
+      EXPECT_NEAR(force.at(kOffsets[i]).force_n, expected.force_n[i], 1e-5);
       const auto on_grid = static_cast<std::size_t>(std::lround((kOffsets[i] + 2.5) / 0.5));
       EXPECT_EQ(curve.offsets_mm[on_grid], kOffsets[i]);
-      EXPECT_NEAR(curve.force_n[on_grid], wanted.force_n[i], 1e-5);
+      EXPECT_NEAR(curve.force_n[on_grid], expected.force_n[i], 1e-5);
       EXPECT_LT(curve.error_n[on_grid], 1e-5);
     }
   }
@@ -135,7 +135,7 @@ TEST(ForceCurve, IsTheSumOverAllPairs) {
   }
 }
 
-TEST(ForceCurve, TheErrorBoundsWhatACoarserAccuracyCosts) {
+TEST(ForceCurve, TheErrorBoundsTheEffectOfACoarserAccuracy) {
   for (const double accuracy : {1e-2, 1e-3, 1e-5}) {
     const ForceSettings coarse{ForceModel::kExact, accuracy};
     for (const PinClass& pin_class : classes("tkD")) {
@@ -170,14 +170,15 @@ TEST(Thesis, TheCommonestPinRestsNear045) {
 
 TEST(Thesis, ShieldsOf3MillimetresHoldNoPinAndOf4Every) {
   // Minimum forces of the classes, reference: physics.md section 3.
-  const std::map<std::string, std::vector<double>> least{
+  const std::map<std::string, std::vector<double>> expected_minima{
       {"cD", {0.0085, 0.3425}}, {"wD", {0.455, 0.959}}, {"tkD", {0.812, 1.044, 1.184}}};
-  for (const auto& [name, minima] : least) {
+  for (const auto& [name, minima] : expected_minima) {
     for (std::size_t i = 0; i < minima.size(); ++i) {
       const PinClass& pin_class = classes(name)[i];
-      const Characterisation thin = characterise({pin_class, kShields3, kCurveSettings});
-      EXPECT_FALSE(thin.stable()) << name << i;
-      EXPECT_NEAR(thin.minimum_n, minima[i], 6e-4) << name << i;
+      const Characterisation with_thin_shields =
+          characterise({pin_class, kShields3, kCurveSettings});
+      EXPECT_FALSE(with_thin_shields.stable()) << name << i;
+      EXPECT_NEAR(with_thin_shields.minimum_n, minima[i], 6e-4) << name << i;
       EXPECT_TRUE(characterise({pin_class, {}, kCurveSettings}).stable()) << name << i;
     }
   }
@@ -238,9 +239,9 @@ TEST(Extension, IsNoneWhereTheArrayPullsLessThanTheCoilPushes) {
   const PinForce force = force_of("cD", 30);
   const Characterisation character = characterise(force);
   EXPECT_EQ(extension_mm(force, character, 0.4), std::nullopt);
-  const auto just_held = extension_mm(force, character, -character.minimum_n - 1e-5);
-  ASSERT_TRUE(just_held);
-  EXPECT_NEAR(*character.rest_mm + *just_held, character.minimum_mm, 0.1);
+  const auto held_pin = extension_mm(force, character, -character.minimum_n - 1e-5);
+  ASSERT_TRUE(held_pin);
+  EXPECT_NEAR(*character.rest_mm + *held_pin, character.minimum_mm, 0.1);
   EXPECT_EQ(extension_mm(force, character, 0.0), 0.0);
   const PinForce expelled = force_of("cD", 30, kCurveSettings, kShields3);
   EXPECT_EQ(extension_mm(expelled, characterise(expelled), 0.1), std::nullopt);

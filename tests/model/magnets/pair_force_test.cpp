@@ -22,7 +22,7 @@ double force_n(const MagnetPair& pair, double angle, double offset, ForceModel m
   return pair_force(pair, angle, offset, model, 1e-8).force_n;
 }
 
-double relative(double value, double wanted) { return std::abs(value / wanted - 1.0); }
+double relative(double value, double expected) { return std::abs(value / expected - 1.0); }
 
 TEST(PairForce, ReferencePairs) {
   for (const ReferencePair& r : kReferencePairs) {
@@ -199,7 +199,7 @@ PlacedMagnet other_of(const PairOnSphere& p) {
 }
 
 // An independent computation of the same force: whole disks, another order, no mirror plane.
-RC_GTEST_PROP(PairForceLaw, TheAccuracyAskedForIsMetAndTheErrorBounds, ()) {
+RC_GTEST_PROP(PairForceLaw, TheRequestedAccuracyIsMetAndTheErrorIsABound, ()) {
   const PairOnSphere p = any_pair();
   const double accuracy = std::pow(10.0, -any_between(2, 8));
   const PairForce got = pair_force(p.pair, p.place, {ForceModel::kExact, accuracy});

@@ -42,10 +42,10 @@ TEST(PinCurves, AgreeWithTheExactExtension) {
       for (const double current_a : {5.0, 15.0}) {
         const double push = current_a * fea_slope_n_a();
         const double out = *extension_mm(force, character, fea_electromagnet(), current_a);
-        const double wanted = std::max(0.0, *character.rest_mm + out) - rest;
-        EXPECT_NEAR(curves.extension_mm(at, push), wanted, 1e-3) << pin;
+        const double expected = std::max(0.0, *character.rest_mm + out) - rest;
+        EXPECT_NEAR(curves.extension_mm(at, push), expected, 1e-3) << pin;
         const Push coil = coil_push(fea_electromagnet(), current_a, {});
-        EXPECT_NEAR(stroke(force, character, coil)->extension_mm, wanted, 1e-5) << pin;
+        EXPECT_NEAR(stroke(force, character, coil)->extension_mm, expected, 1e-5) << pin;
         EXPECT_NEAR(curves.force_at_rest_n(at, push), coil(rest), 1e-4) << pin;
       }
     }
@@ -54,7 +54,7 @@ TEST(PinCurves, AgreeWithTheExactExtension) {
 
 // Reference: physics.md section 3: 0.19 N to lift a pentagon's pin off the shell, for the full
 // array.
-TEST(PinCurves, APentagonsPinLiesOnTheShell) {
+TEST(PinCurves, APentagonsPinIsOnTheShell) {
   const PinCurves tkd(arrangement("tkD"), {});
   EXPECT_EQ(tkd.rest_mm(0), 0.0);
   // The force on the typical pin, 0.5 mm farther out, is 5 % lower.

@@ -16,7 +16,7 @@ var again_s := 0.0
 func _ready():
 	steps = ball._engine.from_text(OS.get_environment("HEDGEHOG_CASE")).client
 	ball.client_name = "conformance"
-	ball.patience_s = float(OS.get_environment("HEDGEHOG_PATIENCE_S"))
+	ball.timeout_s = float(OS.get_environment("HEDGEHOG_TIMEOUT_S"))
 	add_child(ball)
 	# A case without an opening begins with the connection.
 	if not steps[0].has("open"):

@@ -11,7 +11,7 @@ var frames := 0
 
 
 func _ready():
-	ball.patience_s = 60.0
+	ball.timeout_s = 60.0
 	add_child(ball)
 	CONNECT(connected, _on_connected)
 	CONNECT(disconnected, _on_disconnected)
@@ -53,11 +53,11 @@ func outage():
 	ball.events(["effect_ended"])
 
 
-func nobody():
+func missing_daemon():
 	var failed = ANSWER(ball.ping())
 	print(failed.failure, " ", failed.message)
-	var soon = ANSWER(ball.ping())
-	print("again ", soon.failure, " ", soon.message)
+	var retried = ANSWER(ball.ping())
+	print("again ", retried.failure, " ", retried.message)
 	ball.close()
 	var closed = ANSWER(ball.ping())
 	print(closed.message)

@@ -85,16 +85,16 @@ class Live(unittest.TestCase):
         example = re.search(r"```gdscript\n(.*?)```", text, re.S).group(1)
         self.assertLessEqual(len(example.splitlines()), 10)
         for engine in self.each_engine():
-            with hedgehog.Ball(self.daemon.address, patience_s=60) as watcher:
-                events = watcher.events(["effect_started"], scope="all", patience_s=60)
+            with hedgehog.Ball(self.daemon.address, timeout_s=60) as watcher:
+                events = watcher.events(["effect_started"], scope="all", timeout_s=60)
                 self.start(engine, example, HEDGEHOG_ADDRESS=self.daemon.address)
                 self.assertEqual(self.started(events, 2), {None, "engine"})
 
     def test_the_example_drives_its_lap(self):
         self.start_daemon()
         for engine in self.each_engine():
-            with hedgehog.Ball(self.daemon.address, patience_s=60) as watcher:
-                events = watcher.events(["effect_started"], scope="all", patience_s=60)
+            with hedgehog.Ball(self.daemon.address, timeout_s=60) as watcher:
+                events = watcher.events(["effect_started"], scope="all", timeout_s=60)
                 game = self.start(engine, (GODOT / "example" / "main.gd").read_text(encoding="utf-8"),
                                   [GODOT / "example" / "car_feel.gd"], HEDGEHOG_ADDRESS=self.daemon.address)
                 self.assertEqual(self.started(events, 3), {None, "engine", "skid"})
@@ -117,7 +117,7 @@ class Live(unittest.TestCase):
                              "effect.pulse: waveform: is none of [constant"):
                 self.assertIn(expected, warnings)
 
-    def test_a_daemon_that_comes_again_is_found_again_with_its_events(self):
+    def test_a_restarted_daemon_is_reconnected_with_its_events(self):
         address = ForwardedAddress()
         self.addCleanup(address.end)
         for engine in self.each_engine():
@@ -160,13 +160,13 @@ class Live(unittest.TestCase):
                 known.touch()
                 self.wait_for(game, "connected ")
 
-    def test_nobody_there_is_said_in_words(self):
+    def test_a_missing_daemon_is_reported_in_a_sentence(self):
         for engine in self.each_engine():
             lines = self.wait_for(self.scene(engine, "nobody", "127.0.0.1:1"), "this ball is closed")
             self.assertIn("not_connected the daemon does not run: 127.0.0.1:1: nobody listens there", lines)
             self.assertTrue(any(line.startswith("again not_connected the daemon does not run") for line in lines))
 
-    def test_a_name_without_address_is_said_in_words(self):
+    def test_a_name_without_address_is_reported_in_a_sentence(self):
         for engine in self.each_engine():
             game = self.scene(engine, "nobody", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
             self.assertIn("not_connected the daemon does not run: unknown.test:7586: its name has no address",

@@ -16,7 +16,7 @@ const addon = fileURLToPath(new URL("../../../clients/godot", import.meta.url));
 const scripts = fs.readdirSync(addon, { recursive: true }).filter((name) => name.endsWith(".gd"));
 
 /** The numbers of the lines with syntax errors. */
-function mistakes(text) {
+function syntaxErrors(text) {
   const found = [];
   const visit = (node) => {
     if (node.type === "ERROR" || node.isMissing) found.push(node.startPosition.row + 1);
@@ -29,9 +29,9 @@ function mistakes(text) {
 
 test("there are scripts", () => assert.ok(scripts.length > 8));
 
-test("what is no GDScript is found", () => assert.notDeepEqual(mistakes("func f():\n\treturn ]\n"), []));
+test("what is no GDScript is found", () => assert.notDeepEqual(syntaxErrors("func f():\n\treturn ]\n"), []));
 
 for (const script of scripts)
   test(`${script} is GDScript`, () => {
-    assert.deepEqual(mistakes(fs.readFileSync(path.join(addon, script), "utf8")), []);
+    assert.deepEqual(syntaxErrors(fs.readFileSync(path.join(addon, script), "utf8")), []);
   });

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 
 const here = (name) => fileURLToPath(new URL(name, import.meta.url));
 const { cases } = JSON.parse(fs.readFileSync(here("../conformance.json"), "utf8"));
-const PATIENCE_MS = 60_000;
+const TIMEOUT_MS = 60_000;
 // A case in which the daemon never answers lasts as long as the library's timeout.
 const SLOW = "a slow response ends the connection, the next call makes a new one";
 
@@ -58,7 +58,7 @@ export function addCases(library, driver, address, more = []) {
       const opened = await ball.open({
         address: address(daemon.port),
         name: "conformance",
-        patienceMs: one.name === SLOW ? 3000 : PATIENCE_MS,
+        timeoutMs: one.name === SLOW ? 3000 : TIMEOUT_MS,
       });
       const [first, ...rest] = one.client[0].open ? one.client : [{ open: true }, ...one.client];
       check(first, opened);

@@ -51,7 +51,7 @@ test("the first example of the README runs in an empty folder that has the packe
 });
 
 test("a pulse is played and ends", async () => {
-  const ball = await Ball.connect({ address, patienceMs: 60_000 });
+  const ball = await Ball.connect({ address, timeoutMs: 60_000 });
   const events = ball.events(["effect_ended"]);
   const first = events.next();
   const { effect } = await ball.pulse("left", { level: 0.5, duration_ms: 30 });
@@ -61,8 +61,8 @@ test("a pulse is played and ends", async () => {
   ball.close();
 });
 
-test("a rumble goes on in its slot", async () => {
-  const ball = await Ball.connect({ address, patienceMs: 60_000 });
+test("a rumble continues in its slot", async () => {
+  const ball = await Ball.connect({ address, timeoutMs: 60_000 });
   const events = ball.events(["effect_started"]);
   const first = events.next();
   await ball.ping();
@@ -74,7 +74,7 @@ test("a rumble goes on in its slot", async () => {
   ball.close();
 });
 
-test("nobody there is said in words", async () => {
+test("a missing daemon is reported in a sentence", async () => {
   await assert.rejects(Ball.connect({ address: "127.0.0.1:1" }), (error) => {
     assert.ok(error instanceof NotConnected);
     assert.match(error.message, /the daemon does not run: 127\.0\.0\.1:1: Connection refused/);
@@ -86,7 +86,7 @@ test("methods are those of the OpenRPC document", () => {
   execFileSync(process.execPath, [`${library}/generate.mjs`, "--check"]);
 });
 
-test("addresses are found as every client finds them", () => {
+test("addresses are those of every client", () => {
   assert.deepEqual(daemonAddresses(undefined, { HEDGEHOG_ADDRESS: "[::1]:9" }, 7), [{ host: "::1", port: 9 }]);
   assert.deepEqual(daemonAddresses(undefined, {}, 7), [
     { path: "/run/hedgehog/hedgehogd.sock" },

@@ -111,7 +111,7 @@ test("a search without an answer is an error, and is not repeated at once", asyn
   ball.close();
 });
 
-test("the ball that is meant is connected to", async () => {
+test("the selected ball is connected to", async () => {
   // No listener on these ports: the error contains the chosen address.
   await announce(["ball-7", "0007", "127.0.0.1", 9], ["ball-9", "0009", "127.0.0.1", 10]);
   const refused = (address, message) => assert.rejects(Ball.connect({ address, fingerprint }), { name: "NotConnected", message });

@@ -10,7 +10,7 @@ import { Daemon } from "../../web/daemon.mjs";
 import { example, installed } from "./installed.mjs";
 import { servePages } from "./pages.mjs";
 
-const PATIENCE_MS = 60_000;
+const TIMEOUT_MS = 60_000;
 let game;
 let pages;
 let daemon;
@@ -33,25 +33,25 @@ after(async () => {
 });
 
 test("the page of the README plays a push when its button is pressed", async () => {
-  const observer = await Ball.connect({ address: `127.0.0.1:${daemon.tcp}`, patienceMs: PATIENCE_MS });
+  const observer = await Ball.connect({ address: `127.0.0.1:${daemon.tcp}`, timeoutMs: TIMEOUT_MS });
   const events = observer.events(["effect_started"], { scope: "all" });
   const started = events.next();
   await observer.ping();
   const page = await browser.newPage();
-  const websocket = page.waitForEvent("websocket", { timeout: PATIENCE_MS });
+  const websocket = page.waitForEvent("websocket", { timeout: TIMEOUT_MS });
   await page.goto(`${pages.url}/`);
-  await (await websocket).waitForEvent("framereceived", { timeout: PATIENCE_MS }); // the response to hello
-  await page.waitForFunction(() => document.querySelector("button").onclick, null, { timeout: PATIENCE_MS });
+  await (await websocket).waitForEvent("framereceived", { timeout: TIMEOUT_MS }); // the response to hello
+  await page.waitForFunction(() => document.querySelector("button").onclick, null, { timeout: TIMEOUT_MS });
   await page.getByRole("button", { name: "Push" }).click();
   assert.equal((await started).value.type, "effect_started");
   observer.close();
 });
 
-test("a page of an origin that is not allowed is told so", async () => {
-  const stranger = await servePages({ "/": game.folder });
+test("a page of an origin that is not allowed gets an error", async () => {
+  const foreignPages = await servePages({ "/": game.folder });
   const page = await browser.newPage();
-  const failed = page.waitForEvent("pageerror", { timeout: PATIENCE_MS });
-  await page.goto(`${stranger.url}/`);
+  const failed = page.waitForEvent("pageerror", { timeout: TIMEOUT_MS });
+  await page.goto(`${foreignPages.url}/`);
   assert.match((await failed).message, /the daemon does not run: ws:.*this page's origin is not allowed/);
-  stranger.close();
+  foreignPages.close();
 });

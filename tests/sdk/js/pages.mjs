@@ -9,9 +9,9 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/ja
 /** `folders`: path prefix → folder. */
 export async function servePages(folders) {
   const server = http.createServer((request, response) => {
-    const asked = path.posix.normalize(new URL(request.url, "http://localhost").pathname);
-    const prefix = Object.keys(folders).find((one) => asked.startsWith(one));
-    const file = prefix && path.join(folders[prefix], asked.slice(prefix.length) || "index.html");
+    const requested = path.posix.normalize(new URL(request.url, "http://localhost").pathname);
+    const prefix = Object.keys(folders).find((one) => requested.startsWith(one));
+    const file = prefix && path.join(folders[prefix], requested.slice(prefix.length) || "index.html");
     if (!file || !fs.existsSync(file)) {
       response.writeHead(404).end();
       return;

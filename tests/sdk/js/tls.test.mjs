@@ -13,7 +13,7 @@ import { parseFingerprint } from "../../../clients/js/src/addresses.js";
 import { AddressError, Ball, NotConnected, RequestError } from "../../../clients/js/src/node.js";
 
 const token = "hht_of-a-test";
-const patienceMs = 60_000;
+const timeoutMs = 60_000;
 let folder;
 let daemon;
 let address;
@@ -51,7 +51,7 @@ after(async () => {
 });
 
 test("the token gives its role", async () => {
-  const ball = await Ball.connect({ address, token, fingerprint, patienceMs });
+  const ball = await Ball.connect({ address, token, fingerprint, timeoutMs });
   assert.equal(ball.hello.role, "play");
   const events = ball.events(["effect_ended"]);
   const first = events.next();
@@ -64,14 +64,14 @@ test("the token gives its role", async () => {
 test("the fingerprint may be written as hedgehogctl prints it", async () => {
   const plain = fingerprint.replaceAll(":", "").toLowerCase();
   assert.equal(parseFingerprint(plain), fingerprint);
-  const ball = await Ball.connect({ address, token, fingerprint: plain, patienceMs });
+  const ball = await Ball.connect({ address, token, fingerprint: plain, timeoutMs });
   ball.close();
   assert.throws(() => new Ball({ address, fingerprint: "0" }), AddressError);
 });
 
-test("another fingerprint, or a certificate that nobody vouches for, is not spoken to", async () => {
+test("another fingerprint, or an unverified certificate, is rejected", async () => {
   const refused = (options, pattern) =>
-    assert.rejects(Ball.connect({ address, token, patienceMs, ...options }), (error) => {
+    assert.rejects(Ball.connect({ address, token, timeoutMs, ...options }), (error) => {
       assert.ok(error instanceof NotConnected, error);
       assert.match(error.message, pattern);
       return true;
@@ -80,7 +80,7 @@ test("another fingerprint, or a certificate that nobody vouches for, is not spok
   await refused({}, /self-signed/);
 });
 
-test("a daemon that is announced is known by its fingerprint too", async () => {
+test("an announced daemon is verified by its fingerprint too", async () => {
   const { port } = new URL(address.replace("tls:", "http:"));
   const responder = spawn("python3", [fileURLToPath(new URL("../mdns_responder.py", import.meta.url)), "ball-7", "0007", "127.0.0.1", port], {
     stdio: ["pipe", "pipe", "inherit"],
@@ -88,7 +88,7 @@ test("a daemon that is announced is known by its fingerprint too", async () => {
   const ended = new Promise((resolve) => responder.on("close", resolve));
   try {
     process.env.HEDGEHOG_MDNS_PORT = String(await new Promise((resolve) => responder.stdout.once("data", resolve))).trim();
-    const announced = { address: "mdns://ball-7", token, patienceMs };
+    const announced = { address: "mdns://ball-7", token, timeoutMs };
     const ball = await Ball.connect({ ...announced, fingerprint });
     assert.equal(ball.hello.role, "play");
     ball.close();
@@ -101,5 +101,5 @@ test("a daemon that is announced is known by its fingerprint too", async () => {
 });
 
 test("a wrong token is refused", async () => {
-  await assert.rejects(Ball.connect({ address, token: "hht_wrong", fingerprint, patienceMs }), RequestError);
+  await assert.rejects(Ball.connect({ address, token: "hht_wrong", fingerprint, timeoutMs }), RequestError);
 });

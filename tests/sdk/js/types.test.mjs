@@ -24,7 +24,7 @@ function compile(...more) {
   return { status, stdout };
 }
 
-test("a strict compiler accepts what is right and refuses what is wrong", () => {
+test("a strict compiler accepts valid programs and rejects type errors", () => {
   assert.deepEqual(compile(), { status: 0, stdout: "" });
 });
 
@@ -33,7 +33,7 @@ test("the compiler has read the declarations of the package, none is left out", 
   for (const name of ["index", "messages", "methods"]) assert.match(declarations, new RegExp(`@hedgehog/client/${name}\\.d\\.ts`));
 });
 
-test("every name of the declarations is there when the program runs", async () => {
+test("every declared name exists at run time", async () => {
   const { ErrorCode, RequestError } = await import(path.join(library.folder, "node_modules/@hedgehog/client/src/node.js"));
   const declared = fs.readFileSync(path.join(library.folder, "node_modules/@hedgehog/client/messages.d.ts"), "utf8");
   const codes = [...declared.matchAll(/readonly (\w+): (-\d+);/g)].map(([, name, code]) => [name, Number(code)]);

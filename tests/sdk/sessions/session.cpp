@@ -16,7 +16,7 @@ using namespace hedgehog;
 using protocol::ErrorCode;
 using protocol::Word;
 
-constexpr client::Milliseconds kPatience{60'000};
+constexpr client::Milliseconds kTimeout{60'000};
 
 template <class T>
 void expect_refused(const client::Outcome<T>& outcome, ErrorCode code) {
@@ -27,7 +27,7 @@ void expect_refused(const client::Outcome<T>& outcome, ErrorCode code) {
 /// What starts or ends is waited for, so that the order of the session's lines is always the same.
 void skip_to(Ball& ball, const std::string& type) {
   for (;;) {
-    const auto notification = ball.next(kPatience).value();
+    const auto notification = ball.next(kTimeout).value();
     if (!notification) throw std::runtime_error("no " + type);
     const auto* event = std::get_if<protocol::EventMessage>(&*notification);
     if (event != nullptr && event->event.type == type) return;
@@ -41,7 +41,7 @@ std::vector<protocol::Keyframe> knock() {
           {.t_ms = 180, .level = 0.0}};
 }
 
-void ask(Ball& ball) {
+void query(Ball& ball) {
   ball.call(protocol::Ping{}).value();
   ball.call(protocol::DeviceDescribe{}).value();
   ball.call(protocol::DeviceStatus{}).value();
@@ -82,7 +82,7 @@ void play(Ball& ball) {
   skip_to(ball, "effect_ended");
 }
 
-void keep_patterns(Ball& ball) {
+void manage_patterns(Ball& ball) {
   protocol::PatternPut put;
   put.pattern.name = "acme/knock";
   put.pattern.description = "Two knocks.";
@@ -98,7 +98,7 @@ void keep_patterns(Ball& ball) {
   ball.call(protocol::PatternRemove{"acme/knock"}).value();
 }
 
-void foretell(Ball& ball) {
+void forecast_effects(Ball& ball) {
   protocol::EffectPreview preview;
   preview.start = protocol::EffectStart{model::EffectMethod::kPulse,
                                         {.direction = Word::kUp, .duration_ms = 20}};
@@ -116,7 +116,7 @@ void watch(Ball& ball) {
                          protocol::StatusKey::kCurrentA, protocol::StatusKey::kOrientation})
     keys.add(key);
   ball.call(protocol::TelemetrySubscribe{20.0, keys}).value();
-  if (!ball.next(kPatience).value()) throw std::runtime_error("no telemetry");
+  if (!ball.next(kTimeout).value()) throw std::runtime_error("no telemetry");
   ball.call(protocol::TelemetryUnsubscribe{}).value();
   ball.call(protocol::TelemetryHistory{10.0}).value();
   protocol::EventsHistory history;
@@ -144,7 +144,7 @@ void operate(Ball& ball) {
   skip_to(ball, "state_changed");
 }
 
-void be_refused(Ball& ball) {
+void provoke_errors(Ball& ball) {
   const std::string sideways = R"({"direction":"sideways"})";
   expect_refused(ball.call_raw("effect.pulse", sideways), ErrorCode::kInvalidParams);
   expect_refused(ball.call_raw("effect.rattle", sideways), ErrorCode::kMethodNotFound);
@@ -154,14 +154,14 @@ void be_refused(Ball& ball) {
 
 void run(const std::string& address) {
   Ball ball(client::daemon_addresses(address).value(), {.name = "session/c++"});
-  ask(ball);
+  query(ball);
   ball.call(protocol::EventsSubscribe{{"effect_started", "effect_ended", "state_changed"}}).value();
   play(ball);
-  keep_patterns(ball);
-  foretell(ball);
+  manage_patterns(ball);
+  forecast_effects(ball);
   watch(ball);
   operate(ball);
-  be_refused(ball);
+  provoke_errors(ball);
   ball.call(protocol::EventsUnsubscribe{}).value();
 }
 

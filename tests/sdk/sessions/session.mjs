@@ -28,7 +28,7 @@ async function skipTo(events, type) {
   }
 }
 
-async function ask(ball) {
+async function query(ball) {
   await ball.ping();
   await ball.describe();
   await ball.status();
@@ -62,7 +62,7 @@ async function play(ball, events) {
   await skipTo(events, "effect_ended");
 }
 
-async function keepPatterns(ball, events) {
+async function managePatterns(ball, events) {
   await ball.patternPut({ name: "acme/knock", description: "Two knocks.", keyframes: knock });
   await ball.patternList();
   await ball.patternGet({ name: "acme/knock" });
@@ -73,7 +73,7 @@ async function keepPatterns(ball, events) {
   await ball.patternRemove({ name: "acme/knock" });
 }
 
-async function foretell(ball) {
+async function forecastEffects(ball) {
   await ball.preview({ method: "effect.pulse", params: { direction: "up", duration_ms: 20 } });
   await ball.thermalForecast({ current_a: 12, direction: "left" });
   await ball.latency();
@@ -105,21 +105,21 @@ async function operate(ball, events) {
   await skipTo(events, "state_changed");
 }
 
-async function beRefused(ball) {
+async function provokeErrors(ball) {
   assert.equal(await refusal(ball.pulse("sideways")), "invalid_params");
   assert.equal(await refusal(ball.call("effect.rattle", { direction: "left" })), "method_not_found");
   assert.equal(await refusal(ball.stop({ slot: "nothing" })), "no_such_effect");
   assert.equal(await refusal(ball.play("hartbeat")), "no_such_pattern");
 }
 
-const ball = await Ball.connect({ address: process.argv[2], name: "session/javascript", patienceMs: 60_000 });
-await ask(ball);
+const ball = await Ball.connect({ address: process.argv[2], name: "session/javascript", timeoutMs: 60_000 });
+await query(ball);
 const events = ball.events(["effect_started", "effect_ended", "state_changed"]);
 await play(ball, events);
-await keepPatterns(ball, events);
-await foretell(ball);
+await managePatterns(ball, events);
+await forecastEffects(ball);
 await watch(ball);
 await operate(ball, events);
-await beRefused(ball);
+await provokeErrors(ball);
 await ball.call("events.unsubscribe");
 ball.close();

@@ -8,7 +8,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "clients" /
 
 import hedgehog  # noqa: E402
 
-PATIENCE_S = 60.0
+TIMEOUT_S = 60.0
 KNOCK = [{"t_ms": 0, "direction": "front", "level": 1}, {"t_ms": 60, "level": 0}, {"t_ms": 120, "level": 0.6}, {"t_ms": 180, "level": 0}]
 
 
@@ -25,7 +25,7 @@ def skip_to(events, kind):
     return next(event for event in events if event["type"] == kind)
 
 
-def ask(ball):
+def query(ball):
     ball.ping()
     ball.describe()
     ball.status()
@@ -57,7 +57,7 @@ def play(ball, events):
     skip_to(events, "effect_ended")
 
 
-def keep_patterns(ball, events):
+def manage_patterns(ball, events):
     ball.pattern_put("acme/knock", KNOCK, description="Two knocks.")
     ball.pattern_list()
     ball.pattern_get("acme/knock")
@@ -68,14 +68,14 @@ def keep_patterns(ball, events):
     ball.pattern_remove("acme/knock")
 
 
-def foretell(ball):
+def forecast_effects(ball):
     ball.preview("effect.pulse", {"direction": "up", "duration_ms": 20})
     ball.thermal_forecast(current_a=12, direction="left")
     ball.latency()
 
 
 def watch(ball):
-    next(ball.telemetry(20, ["state", "temperature_c", "current_a", "orientation"], patience_s=PATIENCE_S))
+    next(ball.telemetry(20, ["state", "temperature_c", "current_a", "orientation"], timeout_s=TIMEOUT_S))
     ball.call("telemetry.unsubscribe")
     ball.telemetry_history(seconds=10)
     ball.events_history(limit=3)
@@ -98,7 +98,7 @@ def operate(ball, events):
     skip_to(events, "state_changed")
 
 
-def be_refused(ball):
+def provoke_errors(ball):
     assert refusal(ball.pulse, "sideways") == "invalid_params"
     assert refusal(ball.call, "effect.rattle", direction="left") == "method_not_found"
     assert refusal(ball.stop, slot="nothing") == "no_such_effect"
@@ -106,15 +106,15 @@ def be_refused(ball):
 
 
 def main(address):
-    with hedgehog.Ball(address, name="session/python", patience_s=PATIENCE_S) as ball:
-        ask(ball)
-        events = ball.events(["effect_started", "effect_ended", "state_changed"], patience_s=PATIENCE_S)
+    with hedgehog.Ball(address, name="session/python", timeout_s=TIMEOUT_S) as ball:
+        query(ball)
+        events = ball.events(["effect_started", "effect_ended", "state_changed"], timeout_s=TIMEOUT_S)
         play(ball, events)
-        keep_patterns(ball, events)
-        foretell(ball)
+        manage_patterns(ball, events)
+        forecast_effects(ball)
         watch(ball)
         operate(ball, events)
-        be_refused(ball)
+        provoke_errors(ball)
         ball.call("events.unsubscribe")
 
 

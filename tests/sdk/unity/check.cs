@@ -4,9 +4,9 @@ using System;
 /// What a test expects; the first that is not so ends it.
 internal static class Check
 {
-    public static void That(bool met, string what)
+    public static void That(bool holds, string what)
     {
-        if (!met) throw new Exception("not so: " + what);
+        if (!holds) throw new Exception("not so: " + what);
     }
 
     public static void Equal(object expected, object found, string what)

@@ -9,8 +9,8 @@ using Hedgehog;
 internal static partial class Conformance
 {
     // Of calls; a case in which the daemon never answers takes so long.
-    private const double PatienceS = 60.0;
-    private const double SlowPatienceS = 3.0;
+    private const double TimeoutS = 60.0;
+    private const double SlowTimeoutS = 3.0;
     private const string Slow = "a slow response ends the connection, the next call makes a new one";
 
     private static string folder;
@@ -49,15 +49,15 @@ internal static partial class Conformance
         using (Process daemon = Start(name, out address))
         {
             Json steps = one["client"];
-            double patienceS = name == Slow ? SlowPatienceS : PatienceS;
+            double timeoutS = name == Slow ? SlowTimeoutS : TimeoutS;
             Library library = blocking ? (Library)new BlockingLibrary() : new TaskLibrary();
             if (steps[0].Has("open"))
             {
-                Outcome(steps[0], () => library.Open(address, patienceS));
+                Outcome(steps[0], () => library.Open(address, timeoutS));
             }
             else
             {
-                library.Open(address, patienceS);
+                library.Open(address, timeoutS);
                 for (int i = 0; i < steps.Count; ++i) Step(library, steps[i]);
                 library.Close();
             }

@@ -15,15 +15,15 @@ internal static class CoreTest
 
     private static int Main()
     {
-        bool well = Check.Run("what is no JSON is refused", Refused);
+        bool well = Check.Run("invalid JSON is refused", Refused);
         well &= Check.Run("values are read as they are", Values);
         well &= Check.Run("deep nesting is refused", Deep);
         well &= Check.Run("what is written is read again", RoundTrips);
         well &= Check.Run("damaged text is a FormatException or JSON", Damaged);
         well &= Check.Run("bytes in pieces of any size are the same messages", Pieces);
-        well &= Check.Run("addresses are found as every client finds them", Addresses);
-        well &= Check.Run("what is no address is refused", NoAddresses);
-        well &= Check.Run("a rumble begins where it is felt", Levels);
+        well &= Check.Run("addresses are those of every client", Addresses);
+        well &= Check.Run("an invalid address is refused", NoAddresses);
+        well &= Check.Run("a rumble starts at the threshold of perception", Levels);
         return well ? 0 : 1;
     }
 

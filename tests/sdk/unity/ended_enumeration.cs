@@ -12,9 +12,9 @@ internal static partial class Conformance
         using (Process daemon = Start("a subscription that the next daemon refuses has ended, and is reported", out address))
         {
             var library = new BlockingLibrary();
-            library.Open(address, PatienceS);
+            library.Open(address, TimeoutS);
             var events = library.Ball.Events(scope: Scope.All);
-            var telemetry = library.Ball.Telemetry(5, patienceS: 0);
+            var telemetry = library.Ball.Telemetry(5, timeoutS: 0);
             Check.Throws<NotConnected>(() => library.Call("ping", null));
             Again(library, "ping");
             var ended = Check.Throws<SubscriptionEnded>(() => events.First());

@@ -34,7 +34,7 @@ internal static partial class Conformance
             lock (ended) ended.Add(Json.Of(error.Message));
         }
 
-        public abstract Json Open(string address, double patienceS);
+        public abstract Json Open(string address, double timeoutS);
         public abstract void Close();
         public abstract Json Call(string method, Params given);
         public virtual void Ask(string method)
@@ -61,9 +61,9 @@ internal static partial class Conformance
             get { return ball; }
         }
 
-        public override Json Open(string address, double patienceS)
+        public override Json Open(string address, double timeoutS)
         {
-            ball = new Ball(address, "conformance", patienceS);
+            ball = new Ball(address, "conformance", timeoutS);
             ball.Reconnected += Again;
             ball.SubscriptionEnded += EndOf;
             return Json.Null;
@@ -91,7 +91,7 @@ internal static partial class Conformance
 
         public override Notification Next()
         {
-            return ball.Next(PatienceS);
+            return ball.Next(TimeoutS);
         }
     }
 
@@ -112,9 +112,9 @@ internal static partial class Conformance
             return asked.GetAwaiter().GetResult();
         }
 
-        public override Json Open(string address, double patienceS)
+        public override Json Open(string address, double timeoutS)
         {
-            ball = new AsyncBall(address, "conformance", patienceS);
+            ball = new AsyncBall(address, "conformance", timeoutS);
             ball.Reconnected += Again;
             ball.SubscriptionEnded += EndOf;
             ball.Open().GetAwaiter().GetResult();

@@ -10,7 +10,7 @@ using Results = Hedgehog.Results;
 
 internal static partial class Live
 {
-    private const double PatienceS = 60.0;
+    private const double TimeoutS = 60.0;
 
     private static string address;
 
@@ -18,18 +18,18 @@ internal static partial class Live
     {
         address = arguments[0];
         bool well = Check.Run("a pulse is played and ends", Pulse);
-        well &= Check.Run("a rumble goes on in its slot and ends", RumbleInSlot);
-        well &= Check.Run("a response is typed, and a refusal says what was wrong", Typed);
-        well &= Check.Run("telemetry has the fields that were asked for", Telemetry);
-        well &= Check.Run("a thread that waits for events keeps no other from calling", TwoThreads);
+        well &= Check.Run("a rumble continues in its slot and ends", RumbleInSlot);
+        well &= Check.Run("a response is typed, and a refusal has its reason", Typed);
+        well &= Check.Run("telemetry has the requested fields", Telemetry);
+        well &= Check.Run("a thread that waits for events blocks no call of another", TwoThreads);
         well &= Check.Run("what was sent before the end is still played", SentBeforeTheEnd);
-        well &= Check.Run("nobody there is told in words", NobodyThere);
+        well &= Check.Run("a missing daemon is reported in a sentence", WithoutDaemon);
         well &= Check.Run("the component connects, plays and ends", Component);
-        well &= Check.Run("the component without a daemon says why", ComponentAlone);
-        well &= Check.Run("the component with a wrong address says so", ComponentWithoutAddress);
+        well &= Check.Run("the component without a daemon reports why", ComponentAlone);
+        well &= Check.Run("the component with a wrong address reports it", ComponentWithoutAddress);
         well &= Check.Run("the component reconnects, subscribes again and reports it on the main thread", ComponentAgain);
         well &= Check.Run("a rumble that connects first keeps no event from the component", RumbleConnects);
-        well &= Check.Run("the racer's blows are eight steps, apart", RacerSteps);
+        well &= Check.Run("the racer's impacts are eight separate steps", RacerSteps);
         well &= Check.Run("the racer's car is felt", RacerFelt);
         return well ? 0 : 1;
     }
@@ -42,9 +42,9 @@ internal static partial class Live
 
     private static void Pulse()
     {
-        using (var ball = new Ball(address, patienceS: PatienceS))
+        using (var ball = new Ball(address, timeoutS: TimeoutS))
         {
-            var events = ball.Events(new[] { "effect_ended" }, patienceS: PatienceS);
+            var events = ball.Events(new[] { "effect_ended" }, timeoutS: TimeoutS);
             long effect = ball.Pulse("left", level: 0.5, durationMs: 30).Effect;
             Results.Event ended = First(events);
             Check.Equal((long?)effect, ended.Effect, "the effect");
@@ -54,9 +54,9 @@ internal static partial class Live
 
     private static void RumbleInSlot()
     {
-        using (var ball = new Ball(address, patienceS: PatienceS))
+        using (var ball = new Ball(address, timeoutS: TimeoutS))
         {
-            var events = ball.Events(new[] { "effect_started" }, patienceS: PatienceS);
+            var events = ball.Events(new[] { "effect_started" }, timeoutS: TimeoutS);
             var longer = new Params().Set("lease_ms", 10000.0);
             Check.That(ball.Rumble("engine", 0.3, Direction.Back, 70, longer), "sent");
             Check.Equal("engine", First(events).Slot, "the slot");
@@ -69,7 +69,7 @@ internal static partial class Live
 
     private static void Typed()
     {
-        using (var ball = new Ball(address, patienceS: PatienceS))
+        using (var ball = new Ball(address, timeoutS: TimeoutS))
         {
             Check.Equal("armed", ball.Status().State, "the state");
             Check.That(ball.Status().TemperatureC.Model > 10.0, "the temperature");
@@ -87,10 +87,10 @@ internal static partial class Live
 
     private static void Telemetry()
     {
-        using (var ball = new Ball(address, patienceS: PatienceS))
+        using (var ball = new Ball(address, timeoutS: TimeoutS))
         {
             int count = 0;
-            foreach (var status in ball.Telemetry(100, new[] { "limit_a" }, PatienceS))
+            foreach (var status in ball.Telemetry(100, new[] { "limit_a" }, TimeoutS))
             {
                 Check.That(status.LimitA > 0.0 && status.State == null, "limit_a alone");
                 if (++count == 3) break;
@@ -100,7 +100,7 @@ internal static partial class Live
 
     private static void TwoThreads()
     {
-        using (var ball = new Ball(address, patienceS: PatienceS))
+        using (var ball = new Ball(address, timeoutS: TimeoutS))
         {
             var events = ball.Events(new[] { "effect_ended" });
             long? ended = null;
@@ -114,21 +114,21 @@ internal static partial class Live
 
     private static void SentBeforeTheEnd()
     {
-        using (var other = new Ball(address, patienceS: PatienceS))
+        using (var other = new Ball(address, timeoutS: TimeoutS))
         {
-            var events = other.Events(new[] { "effect_ended" }, Scope.All, PatienceS);
-            using (var ball = new Ball(address, patienceS: PatienceS))
+            var events = other.Events(new[] { "effect_ended" }, Scope.All, TimeoutS);
+            using (var ball = new Ball(address, timeoutS: TimeoutS))
                 for (int i = 0; i < 20; ++i)
                     ball.Notify("effect.pulse", new Params().Set("direction", "left").Set("duration_ms", 40.0).Set("on_close", "finish"));
             for (int i = 0; i < 20; ++i) Check.Equal("completed", First(events).Reason, "why it ended");
         }
     }
 
-    private static void NobodyThere()
+    private static void WithoutDaemon()
     {
-        var nobody = Check.Throws<NotConnected>(() => new Ball("127.0.0.1:1"));
-        Check.Equal("the daemon does not run: 127.0.0.1:1: Connection refused", nobody.Message, "the sentence");
-        Check.That(nobody.RetryAfterS > 0.0, "when to try again");
+        var missing = Check.Throws<NotConnected>(() => new Ball("127.0.0.1:1"));
+        Check.Equal("the daemon does not run: 127.0.0.1:1: Connection refused", missing.Message, "the sentence");
+        Check.That(missing.RetryAfterS > 0.0, "when to try again");
         var none = Check.Throws<NotConnected>(() => new Ball("/none/hedgehogd.sock"));
         Check.That(none.Message.StartsWith("the daemon does not run: /none/hedgehogd.sock: "), none.Message);
         Check.Throws<AddressError>(() => new AsyncBall("host:0"));

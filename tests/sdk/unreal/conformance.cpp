@@ -20,9 +20,9 @@ using namespace hedgehog::unreal;
 
 class Player {
  public:
-  explicit Player(const char* patience)
+  explicit Player(const char* timeout)
       : client_(
-            {.address = {}, .name = "conformance", .patience_s = std::atof(patience), .token = {}},
+            {.address = {}, .name = "conformance", .timeout_s = std::atof(timeout), .token = {}},
             HedgehogConnector(), listeners()) {}
 
   void play(const Json& steps) {
@@ -63,7 +63,7 @@ class Player {
           step["ask"].text(), params, [this](const Answer& answer) { asked_ = answer; });
     } else if (step["answered"].truth()) {
       wait_until([this] { return asked_.has_value(); });
-      judge(step, *asked_);
+      check_outcome(step, *asked_);
     } else if (step["subscriptions_ended"].is(Json::Kind::kArray)) {
       check(Json::array(subscriptions_ended_) == step["subscriptions_ended"], "others have ended");
     } else if (step["notify"].is(Json::Kind::kString)) {
@@ -83,11 +83,11 @@ class Player {
     } else {
       // The client opens the connection by itself; any request waits until hello is answered.
       const bool open = step["open"].truth();
-      judge(step, ask(open ? "ping" : step["call"].text(), params));
+      check_outcome(step, ask(open ? "ping" : step["call"].text(), params));
     }
   }
 
-  void judge(const Json& step, const Answer& answer) {
+  void check_outcome(const Json& step, const Answer& answer) {
     const Json& error = step["error"];
     if (step["failure"].is(Json::Kind::kString)) {
       check(answer.failure == Failure::kNotConnected, "another failure: " + answer.message);
@@ -152,10 +152,10 @@ int main() {
     return 1;
   }
   const char* const text = std::getenv("HEDGEHOG_CASE");
-  const char* const patience = std::getenv("HEDGEHOG_PATIENCE_S");
+  const char* const timeout = std::getenv("HEDGEHOG_TIMEOUT_S");
   const auto one = Json::parse(text != nullptr ? text : "");
-  if (!one || patience == nullptr) return 64;
-  Player(patience).play((*one)["client"]);
+  if (!one || timeout == nullptr) return 64;
+  Player(timeout).play((*one)["client"]);
   std::puts("passed");
   return 0;
 }

@@ -135,7 +135,7 @@ int main(int count, char** arguments) {
   UHedgehogSubsystem ball;
   listen(ball);
   FSubsystemCollectionBase collection;
-  ball.PatienceS = 60;
+  ball.TimeoutS = 60;
   ball.Initialize(collection);
   if (scene == "effects") {
     effects(ball);

@@ -52,12 +52,12 @@ class Live(unittest.TestCase):
     def test_the_quick_start_of_the_readme_is_felt(self):
         guide = readme.Readme("unreal/README.md")
         address = self.start_daemon().address
-        with tempfile.TemporaryDirectory() as folder, hedgehog.Ball(address, patience_s=60) as watcher:
+        with tempfile.TemporaryDirectory() as folder, hedgehog.Ball(address, timeout_s=60) as watcher:
             project = guide.project(folder, "cpp", quick_start.FILES)
             for command in guide.commands()[1:]:
                 subprocess.run(["bash", "-c", command], cwd=project, check=True)
             slots = set()
-            events = watcher.events(["effect_started"], scope="all", patience_s=60)
+            events = watcher.events(["effect_started"], scope="all", timeout_s=60)
             running = quick_start.start(project, dict(os.environ, HEDGEHOG_ADDRESS=address))
             self.addCleanup(self.stop, running)
             self.addCleanup(limit(running).cancel)
@@ -80,7 +80,7 @@ class Live(unittest.TestCase):
         self.assertIn("no object: the parameters are no JSON object", lines)
         self.assertIn("measured", lines)
 
-    def test_a_daemon_that_comes_again_is_found_again_with_its_events(self):
+    def test_a_restarted_daemon_is_reconnected_with_its_events(self):
         address = ForwardedAddress()
         self.addCleanup(address.end)
         daemon = self.start_daemon()
@@ -119,15 +119,15 @@ class Live(unittest.TestCase):
             known.touch()
             self.assertIn("connected", self.wait_for(game, "over"))
 
-    def test_a_name_without_address_is_said_in_words(self):
+    def test_a_name_without_address_is_reported_in_a_sentence(self):
         game = self.start("nobody", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
         self.assertIn("the daemon does not run: unknown.test:7586: no daemon answers there", self.wait_for(game, "over"))
 
-    def test_nobody_there_is_said_in_words(self):
+    def test_a_missing_daemon_is_reported_in_a_sentence(self):
         lines = self.wait_for(self.start("nobody", "127.0.0.1:1"), "over")
         self.assertIn("the daemon does not run: 127.0.0.1:1: no daemon answers there", lines)
 
-    def test_what_is_no_address_is_said_in_words(self):
+    def test_an_invalid_address_is_reported_in_a_sentence(self):
         for address in ("host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x"):
             lines = self.wait_for(self.start("nobody", address), "over")
             self.assertTrue(any(line.startswith("'%s' is no address of a daemon: " % address) for line in lines), lines)

@@ -40,7 +40,7 @@ var address := ""
 # Of this program, as the daemon's log and `hedgehogctl clients` show it.
 var client_name := "godot"
 # Connecting, and waiting for a response, take no longer.
-var patience_s := 2.0
+var timeout_s := 2.0
 # Of roles beyond those of this machine.
 var token := ""
 # What the daemon tells of itself; empty: not connected.
@@ -187,7 +187,7 @@ func _connect() -> void:
 		_fail_all([], Request.BAD_ADDRESS, _place.error)
 		return
 	var introduction = {"client": client_name, "protocol": "1", "token": token if token != "" else null}
-	_session = Session.new(_engine, self, Values.given(introduction), patience_s)
+	_session = Session.new(_engine, self, Values.given(introduction), timeout_s)
 	_session.start(_resolver, _place.host, _place.port)
 
 

@@ -15,7 +15,7 @@ var _engine
 var _listener
 var _connection
 var _introduction := {}
-var _patience_s := 0.0
+var _timeout_s := 0.0
 var _deadline_s := 0.0
 var _hello_id := 0
 var _last_id := 0
@@ -23,15 +23,15 @@ var _last_id := 0
 var _pending := {}
 
 
-func _init(engine, listener, introduction: Dictionary, patience_s: float):
+func _init(engine, listener, introduction: Dictionary, timeout_s: float):
 	_engine = engine
 	_listener = listener
 	_introduction = introduction
-	_patience_s = patience_s
+	_timeout_s = timeout_s
 
 
 func start(resolver, host: String, port: int) -> void:
-	_deadline_s = _engine.now_s() + _patience_s
+	_deadline_s = _engine.now_s() + _timeout_s
 	_connection = Connection.new(_engine, resolver)
 	_connection.start(host, port)
 
@@ -47,7 +47,7 @@ func was_reached() -> bool:
 
 func ask(request, params: Dictionary) -> void:
 	_last_id += 1
-	_pending[_last_id] = [request, _engine.now_s() + _patience_s]
+	_pending[_last_id] = [request, _engine.now_s() + _timeout_s]
 	send(request.method, params, _last_id)
 
 
@@ -89,17 +89,17 @@ func close(reason: String) -> Array:
 func _introduce() -> void:
 	_last_id += 1
 	_hello_id = _last_id
-	_deadline_s = _engine.now_s() + _patience_s
+	_deadline_s = _engine.now_s() + _timeout_s
 	send("hello", _introduction, _hello_id)
 
 
 func _check_deadlines() -> void:
 	var now_s = _engine.now_s()
 	if hello.size() == 0 and now_s > _deadline_s:
-		ended = "%sno response within %s s" % ["hello: " if was_reached() else "", _patience_s]
+		ended = "%sno response within %s s" % ["hello: " if was_reached() else "", _timeout_s]
 	for id in _pending:
 		if now_s > _pending[id][1]:
-			ended = "%s: no response within %s s" % [_pending[id][0].method, _patience_s]
+			ended = "%s: no response within %s s" % [_pending[id][0].method, _timeout_s]
 
 
 func _receive(line: String) -> void:

@@ -13,7 +13,7 @@ const kJump = 25;
 export class Chase {
   constructor(camera) {
     this.camera = camera;
-    this.look = new Vector3();
+    this.target = new Vector3();
     this.heading = new Vector3(1, 0, 0);
     this.fresh = true;
   }
@@ -24,16 +24,16 @@ export class Chase {
     const back = kBehind + Math.min(3, 0.06 * Math.abs(speed));
     const place = car.position.clone().addScaledVector(this.heading, -back);
     place.z = Math.max(car.position.z, 0.3) + kAbove;
-    const look = car.position.clone().addScaledVector(this.heading, kAhead);
-    look.z = car.position.z + 0.4;
+    const target = car.position.clone().addScaledVector(this.heading, kAhead);
+    target.z = car.position.z + 0.4;
     if (this.fresh || this.camera.position.distanceTo(place) > kJump) {
       this.heading.copy(front.lengthSq() > 0.1 ? front : this.heading).normalize();
       this.camera.position.copy(car.position).addScaledVector(this.heading, -back).setZ(place.z);
-      this.look.copy(look);
+      this.target.copy(target);
       this.fresh = false;
     }
     this.camera.position.lerp(place, 1 - kPlaceLag ** seconds);
-    this.look.lerp(look, 1 - kLookLag ** seconds);
-    this.camera.lookAt(this.look);
+    this.target.lerp(target, 1 - kLookLag ** seconds);
+    this.camera.lookAt(this.target);
   }
 }

@@ -3,7 +3,7 @@
 
 const kFirstPauseMs = 250;
 const kLongestPauseMs = 2000;
-const kPatienceMs = 3000;
+const kTimeoutMs = 3000;
 const kSilentMs = 2000;
 const kWelcomeMs = 3000;
 
@@ -22,18 +22,18 @@ export class Link extends EventTarget {
   connect() {
     const socket = new WebSocket(this.url);
     this.socket = socket;
-    const patience = setTimeout(() => socket.close(), kPatienceMs);
+    const timeoutId = setTimeout(() => socket.close(), kTimeoutMs);
     socket.onmessage = ({ data }) => {
       if (this.socket !== socket) return;
-      clearTimeout(patience);
+      clearTimeout(timeoutId);
       const message = JSON.parse(data);
-      this.heardAt = performance.now();
+      this.receivedAt = performance.now();
       if (message.type === "goodbye") this.closeReason = message.reason;
       if (message.type === "track") this.back();
       this.dispatchEvent(new CustomEvent(message.type, { detail: message }));
     };
     socket.onclose = () => {
-      clearTimeout(patience);
+      clearTimeout(timeoutId);
       if (this.socket === socket) this.lost();
     };
   }
@@ -61,7 +61,7 @@ export class Link extends EventTarget {
   listen() {
     const { link } = document.body.dataset;
     if (!["open", "silent"].includes(link)) return;
-    const silent = performance.now() - this.heardAt > kSilentMs;
+    const silent = performance.now() - this.receivedAt > kSilentMs;
     if (silent && link === "open") this.show("silent", "The game is connected but silent. What stands here is old.");
     if (!silent && link === "silent") this.show("open", "");
   }

@@ -2,7 +2,7 @@
 // The page of the game: draws what the game tells, says what the hands do.
 import { ACESFilmicToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 
-import { Blow } from "./blow.js";
+import { Impact } from "./impact.js";
 import { Car } from "./car.js";
 import { Chase } from "./chase.js";
 import { Frames, place } from "./frames.js";
@@ -33,7 +33,7 @@ const link = new Link();
 const frames = new Frames();
 const ring = new Ring($("ring"), $("felt"));
 const sound = new Sound($("sound"));
-/** What the track was told to be: {root, world, car, blow, chase, trail, map, text}. */
+/** What the track was told to be: {root, world, car, impact, chase, trail, map, text}. */
 let stage = null;
 let scene = null;
 
@@ -77,7 +77,7 @@ link.addEventListener("track", ({ detail: track }) => {
   const car = new Car(track.car);
   car.addTo(root);
   stage = {
-    text, root, world, car, blow: new Blow(car.body, track.car), chase: new Chase(camera), trail: new Trail(root, track.car.wheel_radius),
+    text, root, world, car, impact: new Impact(car.body, track.car), chase: new Chase(camera), trail: new Trail(root, track.car.wheel_radius),
     map: new TrackMap($("map"), track),
   };
 });
@@ -92,7 +92,7 @@ link.addEventListener("lap", ({ detail }) => showLap(detail));
 link.addEventListener("felt", ({ detail: felt }) => {
   ring.felt(felt);
   sound.felt(felt);
-  stage?.blow.felt(felt);
+  stage?.impact.felt(felt);
   if (felt.kind === "hit" && stage) stage.trail.hit(stage.car.body, felt.direction, felt.strength);
 });
 
@@ -134,9 +134,9 @@ function draw() {
   ring.draw();
   const between = frames.now();
   if (!stage || !between) return;
-  const { car, blow, chase, trail, world, map, root } = stage;
+  const { car, impact, chase, trail, world, map, root } = stage;
   car.show(between);
-  blow.show();
+  impact.show();
   const { from, to, share } = between;
   world.obstacles.forEach((mesh, i) => to.obstacles[i] && place(mesh, from.obstacles[i] ?? to.obstacles[i], to.obstacles[i], share));
   world.follow(car.body.position);

@@ -3,7 +3,7 @@
 
 const kFadeMs = 900;
 /** A blow is not hidden by what merely lasts, ms. */
-const kBlowMs = 600;
+const kImpactMs = 600;
 const kRadius = 38;
 const kSvg = "http://www.w3.org/2000/svg";
 const kKinds = { hit: "Hit", landing: "Landing", skid: "Skidding", tumble: "Rolling over" };
@@ -45,7 +45,7 @@ export class Ring {
   felt({ kind, direction, strength, level_a: level }) {
     const now = performance.now();
     const lasts = kind === "skid" || kind === "tumble";
-    if (lasts && this.last && !this.last.lasts && now - this.last.at < kBlowMs) return;
+    if (lasts && this.last && !this.last.lasts && now - this.last.at < kImpactMs) return;
     this.last = { lasts, kind, direction, strength, at: now };
     const amperes = level > 0 ? `, ${level.toFixed(1)} A` : "";
     this.words.textContent = `${kKinds[kind] ?? kind}: ${whither(direction)}, ${Math.round(100 * strength)} %${amperes}`;

@@ -8,7 +8,7 @@ const kFollow = 0.05;
 /** The engine's tone at a standstill, and for each m/s, Hz. */
 const kIdleHz = 46;
 const kHzPerMps = 4.2;
-const kBlows = { hit: { hz: 900, seconds: 0.35 }, landing: { hz: 260, seconds: 0.3 } };
+const kImpacts = { hit: { hz: 900, seconds: 0.35 }, landing: { hz: 260, seconds: 0.3 } };
 
 /** A second of noise, the same each time. */
 function noise(context) {
@@ -80,15 +80,15 @@ export class Sound {
   }
 
   felt({ kind, strength }) {
-    const blow = kBlows[kind];
-    if (!this.on || !blow) return;
+    const impact = kImpacts[kind];
+    if (!this.on || !impact) return;
     const { context } = this;
     const now = context.currentTime;
     const source = new AudioBufferSourceNode(context, { buffer: this.noise });
     const gain = new GainNode(context, { gain: 0.25 + 0.75 * strength });
-    gain.gain.setTargetAtTime(0, now, blow.seconds / 4);
-    source.connect(new BiquadFilterNode(context, { type: "lowpass", frequency: blow.hz })).connect(gain).connect(this.master);
+    gain.gain.setTargetAtTime(0, now, impact.seconds / 4);
+    source.connect(new BiquadFilterNode(context, { type: "lowpass", frequency: impact.hz })).connect(gain).connect(this.master);
     source.start(now);
-    source.stop(now + blow.seconds);
+    source.stop(now + impact.seconds);
   }
 }

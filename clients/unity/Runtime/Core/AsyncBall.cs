@@ -22,7 +22,7 @@ namespace Hedgehog
         private readonly object gate = new object();
         private readonly List<Address> addresses;
         private readonly Params introduction;
-        private readonly int patienceMs;
+        private readonly int timeoutMs;
         private readonly Backoff backoff = new Backoff();
         private readonly Stopwatch clock = Stopwatch.StartNew();
         private readonly Dictionary<long, Pending> pending = new Dictionary<long, Pending>();
@@ -44,13 +44,13 @@ namespace Hedgehog
         public event Action<SubscriptionEnded> SubscriptionEnded;
 
         /// <summary>Does not connect yet. address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; null: found as by every
-        /// client. name: of this game, as the daemon's log shows it. patienceS: the longest that connecting, and waiting for a
+        /// client. name: of this game, as the daemon's log shows it. timeoutS: the longest that connecting, and waiting for a
         /// response, take. token: of roles beyond those of this machine. Throws AddressError.</summary>
-        public AsyncBall(string address = null, string name = "unity", double patienceS = 2.0, string token = null)
+        public AsyncBall(string address = null, string name = "unity", double timeoutS = 2.0, string token = null)
         {
             addresses = Address.OfDaemon(address);
             introduction = new Params().Set("client", name).Set("protocol", "1").Set("token", token);
-            patienceMs = (int)Math.Max(1.0, Math.Min(1000.0 * patienceS, 3600000.0));
+            timeoutMs = (int)Math.Max(1.0, Math.Min(1000.0 * timeoutS, 3600000.0));
         }
 
         public bool Connected
@@ -145,9 +145,9 @@ namespace Hedgehog
 
         /// <summary>The same, and waits for one. False: none came in time. Throws NotConnected, and SubscriptionEnded when that kind
         /// ("events") has ended and nothing is left of it.</summary>
-        internal bool Next(out Notification notification, double patienceS, string kind = null)
+        internal bool Next(out Notification notification, double timeoutS, string kind = null)
         {
-            double untilS = clock.Elapsed.TotalSeconds + patienceS;
+            double untilS = clock.Elapsed.TotalSeconds + timeoutS;
             lock (gate)
             {
                 while (notifications.Count == 0)
@@ -190,8 +190,8 @@ namespace Hedgehog
                 long id = ++lastId;
                 byte[] line = Exchange.Line(id, method, parameters);
                 Wire of = wire;
-                string late = method + ": no response within " + (0.001 * patienceMs).ToString(CultureInfo.InvariantCulture) + " s";
-                var asked = new Pending(subscriptions.Sent(method, parameters), patienceMs, () => EndOf(of, late));
+                string late = method + ": no response within " + (0.001 * timeoutMs).ToString(CultureInfo.InvariantCulture) + " s";
+                var asked = new Pending(subscriptions.Sent(method, parameters), timeoutMs, () => EndOf(of, late));
                 pending.Add(id, asked);
                 if (!wire.Send(line)) End("the daemon does not read what it is sent");
                 return asked.Response;
@@ -255,7 +255,7 @@ namespace Hedgehog
             {
                 try
                 {
-                    return Wire.Connect(address, patienceMs);
+                    return Wire.Connect(address, timeoutMs);
                 }
                 catch (SocketException error)
                 {

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 
 namespace Hedgehog
 {
-    /// <summary>A connection to the daemon whose calls wait for their response, never longer than `patienceS`: for tools, tests
+    /// <summary>A connection to the daemon whose calls wait for their response, never longer than `timeoutS`: for tools, tests
     /// and threads of their own; a frame loop takes AsyncBall. Any thread. Throws RequestError and NotConnected.</summary>
     public sealed class Ball : BlockingMethods, IDisposable
     {
@@ -14,9 +14,9 @@ namespace Hedgehog
         private readonly AsyncBall ball;
 
         /// <summary>Connects. Parameters as those of AsyncBall.</summary>
-        public Ball(string address = null, string name = "csharp", double patienceS = 2.0, string token = null)
+        public Ball(string address = null, string name = "csharp", double timeoutS = 2.0, string token = null)
         {
-            ball = new AsyncBall(address, name, patienceS, token);
+            ball = new AsyncBall(address, name, timeoutS, token);
             try
             {
                 ball.Open().GetAwaiter().GetResult();
@@ -72,24 +72,24 @@ namespace Hedgehog
         }
 
         /// <summary>The next notification; null: none came in time.</summary>
-        public Notification Next(double patienceS = 0.0)
+        public Notification Next(double timeoutS = 0.0)
         {
-            return NextOf(null, patienceS);
+            return NextOf(null, timeoutS);
         }
 
-        /// <summary>Events as they come; ends when none came for `patienceS` (null: never). null: of all types. Throws SubscriptionEnded
+        /// <summary>Events as they come; ends when none came for `timeoutS` (null: never). null: of all types. Throws SubscriptionEnded
         /// when a new connection could not renew them.</summary>
-        public IEnumerable<Results.Event> Events(string[] types = null, Scope? scope = null, double? patienceS = null)
+        public IEnumerable<Results.Event> Events(string[] types = null, Scope? scope = null, double? timeoutS = null)
         {
             EventsSubscribe(types, scope);
-            return EventsOf(patienceS);
+            return EventsOf(timeoutS);
         }
 
         /// <summary>The status again and again. null: all its fields. Throws as Events.</summary>
-        public IEnumerable<Results.Telemetry> Telemetry(double rateHz = 10.0, string[] fields = null, double? patienceS = null)
+        public IEnumerable<Results.Telemetry> Telemetry(double rateHz = 10.0, string[] fields = null, double? timeoutS = null)
         {
             TelemetrySubscribe(rateHz, fields);
-            return TelemetryOf(patienceS);
+            return TelemetryOf(timeoutS);
         }
 
         /// <summary>Ends the connection, and with it its effects.</summary>
@@ -98,23 +98,23 @@ namespace Hedgehog
             ball.Dispose();
         }
 
-        private Notification NextOf(string kind, double? patienceS)
+        private Notification NextOf(string kind, double? timeoutS)
         {
             Notification next;
-            return ball.Next(out next, patienceS ?? YearS, kind) ? next : null;
+            return ball.Next(out next, timeoutS ?? YearS, kind) ? next : null;
         }
 
-        private IEnumerable<Results.Event> EventsOf(double? patienceS)
+        private IEnumerable<Results.Event> EventsOf(double? timeoutS)
         {
             const string Kind = "events";
-            for (Notification next = NextOf(Kind, patienceS); next != null; next = NextOf(Kind, patienceS))
+            for (Notification next = NextOf(Kind, timeoutS); next != null; next = NextOf(Kind, timeoutS))
                 if (next.Event != null) yield return next.Event;
         }
 
-        private IEnumerable<Results.Telemetry> TelemetryOf(double? patienceS)
+        private IEnumerable<Results.Telemetry> TelemetryOf(double? timeoutS)
         {
             const string Kind = "telemetry";
-            for (Notification next = NextOf(Kind, patienceS); next != null; next = NextOf(Kind, patienceS))
+            for (Notification next = NextOf(Kind, timeoutS); next != null; next = NextOf(Kind, timeoutS))
                 if (next.Telemetry != null) yield return next.Telemetry;
         }
     }

@@ -14,10 +14,10 @@ namespace Hedgehog
 
         public readonly Subscriptions.Change Change;
 
-        public Pending(Subscriptions.Change change, int patienceMs, Action tooLate)
+        public Pending(Subscriptions.Change change, int timeoutMs, Action tooLate)
         {
             Change = change;
-            timer = new Timer(unused => tooLate(), null, patienceMs, Timeout.Infinite);
+            timer = new Timer(unused => tooLate(), null, timeoutMs, Timeout.Infinite);
         }
 
         public Task<Json> Response

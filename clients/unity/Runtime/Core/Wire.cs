@@ -29,9 +29,9 @@ namespace Hedgehog
         }
 
         /// <summary>Waits. Throws SocketException, or ArgumentException for a path that is too long.</summary>
-        public static Wire Connect(Address address, int patienceMs)
+        public static Wire Connect(Address address, int timeoutMs)
         {
-            if (address.Path != null) return new Wire(Open(new UnixEndPoint(address.Path), patienceMs));
+            if (address.Path != null) return new Wire(Open(new UnixEndPoint(address.Path), timeoutMs));
             IPAddress literal;
             IPAddress[] found = IPAddress.TryParse(address.Host, out literal)
                 ? new[] { literal }
@@ -41,7 +41,7 @@ namespace Hedgehog
             {
                 try
                 {
-                    return new Wire(Open(new IPEndPoint(one, address.Port), patienceMs));
+                    return new Wire(Open(new IPEndPoint(one, address.Port), timeoutMs));
                 }
                 catch (SocketException error)
                 {
@@ -132,7 +132,7 @@ namespace Hedgehog
             }
         }
 
-        private static Socket Open(EndPoint place, int patienceMs)
+        private static Socket Open(EndPoint place, int timeoutMs)
         {
             bool isUnix = place.AddressFamily == AddressFamily.Unix;
             var socket = new Socket(place.AddressFamily, SocketType.Stream, isUnix ? ProtocolType.Unspecified : ProtocolType.Tcp);
@@ -144,7 +144,7 @@ namespace Hedgehog
                     return socket;
                 }
                 IAsyncResult connecting = socket.BeginConnect(place, null, null);
-                if (!connecting.AsyncWaitHandle.WaitOne(patienceMs)) throw new SocketException((int)SocketError.TimedOut);
+                if (!connecting.AsyncWaitHandle.WaitOne(timeoutMs)) throw new SocketException((int)SocketError.TimedOut);
                 socket.EndConnect(connecting);
                 // A game's small lines must not wait for each other's acknowledgement.
                 socket.NoDelay = true;

@@ -68,7 +68,7 @@ class HttpStream {
   bool is_tls() const noexcept { return tls_; }
   boost::asio::ip::tcp::socket& socket() noexcept { return transport_->tcp().socket(); }
   /// Timeout of reads, writes, `handshake` and `end`.
-  void expires_after(std::chrono::seconds patience) { transport_->tcp().expires_after(patience); }
+  void expires_after(std::chrono::seconds timeout) { transport_->tcp().expires_after(timeout); }
   void expires_never() { transport_->tcp().expires_never(); }
 
   /// The server's handshake; does nothing without TLS.

@@ -46,7 +46,7 @@ export function explain(error: unknown): string {
   return error.reason === name ? "too warm" : error.message;
 }
 
-export async function mistakes(ball: Ball): Promise<void> {
+export async function typeErrors(ball: Ball): Promise<void> {
   // @ts-expect-error: the time is a number of milliseconds
   await discover("1 s");
   // @ts-expect-error: no such direction

@@ -9,7 +9,7 @@
 
 int main() {
   const auto ball = std::make_shared<UHedgehogSubsystem>();
-  ball->PatienceS = 60;
+  ball->TimeoutS = 60;
   FSubsystemCollectionBase collection;
   ball->Initialize(collection);
   UGameInstance instance(ball);

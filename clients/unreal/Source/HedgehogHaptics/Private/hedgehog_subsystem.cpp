@@ -60,7 +60,7 @@ void UHedgehogSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
   Super::Initialize(Collection);
   hedgehog::unreal::Settings Settings;
   Settings.address = ToUtf8(Address);
-  Settings.patience_s = static_cast<double>(PatienceS);
+  Settings.timeout_s = static_cast<double>(TimeoutS);
   hedgehog::unreal::Listeners Listeners;
   Listeners.connected = [this](const Json&) { OnConnected.Broadcast(); };
   Listeners.disconnected = [this](const std::string& Reason) {

@@ -117,7 +117,7 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   FString Address;
   /// Timeout of connecting and of a response; seconds.
   UPROPERTY(Config)
-  float PatienceS = 2.0f;
+  float TimeoutS = 2.0f;
 
  private:
   void Start(const char* Method, const hedgehog::unreal::Json& Params);

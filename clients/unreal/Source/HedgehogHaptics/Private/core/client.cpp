@@ -115,7 +115,7 @@ void Client::connect() {
   Json introduction = Json::object({{"client", settings_.name}, {"protocol", "1"}});
   if (!settings_.token.empty()) introduction.set("token", settings_.token);
   session_ =
-      std::make_shared<Session>(connect_(place_), std::move(introduction), settings_.patience_s,
+      std::make_shared<Session>(connect_(place_), std::move(introduction), settings_.timeout_s,
                                 now_s_, [this](const std::string& method, const Json& params) {
                                   if (listeners_.notification)
                                     listeners_.notification(method, params);

@@ -22,7 +22,7 @@ struct Settings {
   /// Name of this program in the daemon's log and in `hedgehogctl clients`.
   std::string name = "unreal";
   /// Timeout of connecting and of a response.
-  double patience_s = 2.0;
+  double timeout_s = 2.0;
   /// For roles beyond the default of this machine.
   std::string token{};
 };

@@ -40,12 +40,12 @@ Answer failed(Failure failure, std::string message, double retry_after_s) {
   return answer;
 }
 
-Session::Session(std::unique_ptr<Transport> transport, Json introduction, double patience_s,
+Session::Session(std::unique_ptr<Transport> transport, Json introduction, double timeout_s,
                  double now_s, OnNotification on_notification)
     : transport_(std::move(transport)),
       introduction_(std::move(introduction)),
-      patience_s_(patience_s),
-      deadline_s_(now_s + patience_s),
+      timeout_s_(timeout_s),
+      deadline_s_(now_s + timeout_s),
       on_notification_(std::move(on_notification)) {}
 
 void Session::poll(double now_s) {
@@ -53,7 +53,7 @@ void Session::poll(double now_s) {
   const Transport::State state = transport_->state();
   if (state == Transport::State::kOpen && !open_) {
     open_ = true;
-    deadline_s_ = now_s + patience_s_;
+    deadline_s_ = now_s + timeout_s_;
     last_id_ = kHelloId;
     send("hello", introduction_, kHelloId);
   }
@@ -65,7 +65,7 @@ void Session::poll(double now_s) {
 
 void Session::ask(const std::string& method, const Json& params, OnAnswer on_answer, double now_s) {
   ++last_id_;
-  pending_.push_back({last_id_, method, std::move(on_answer), now_s + patience_s_});
+  pending_.push_back({last_id_, method, std::move(on_answer), now_s + timeout_s_});
   send(method, params, last_id_);
 }
 
@@ -173,7 +173,7 @@ void Session::take_introduction(const Json& message) {
 }
 
 void Session::check_deadlines(double now_s) {
-  const std::string late = ": no response within " + seconds(patience_s_);
+  const std::string late = ": no response within " + seconds(timeout_s_);
   if (hello_.is(Json::Kind::kNull) && now_s > deadline_s_)
     ended_ = open_ ? "hello" + late : std::string(kNobody);
   for (const Pending& one : pending_)

@@ -23,7 +23,7 @@ class Session {
   static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
   using OnNotification = std::function<void(const std::string& method, const Json& params)>;
 
-  Session(std::unique_ptr<Transport> transport, Json introduction, double patience_s, double now_s,
+  Session(std::unique_ptr<Transport> transport, Json introduction, double timeout_s, double now_s,
           OnNotification on_notification);
 
   /// Processes received data and timeouts.
@@ -60,7 +60,7 @@ class Session {
 
   std::unique_ptr<Transport> transport_;
   Json introduction_;
-  double patience_s_;
+  double timeout_s_;
   double deadline_s_;
   OnNotification on_notification_;
   std::string received_;

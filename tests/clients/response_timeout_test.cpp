@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The response timeout of a client, and how it can be set.
-#include "clients/lib/patience.h"
+#include "clients/lib/response_timeout.h"
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,14 @@ std::chrono::milliseconds with(const std::optional<std::string>& value) {
   });
 }
 
-TEST(ResponseTimeout, IsTwoSecondsUnlessTheEnvironmentSaysOtherwise) {
+TEST(ResponseTimeout, IsTwoSecondsUnlessSetInTheEnvironment) {
   EXPECT_EQ(with(std::nullopt), 2s);
   EXPECT_EQ(with("60000"), 60s);
   EXPECT_EQ(with("100"), 100ms);
   EXPECT_EQ(with("600000"), 600s);
 }
 
-TEST(ResponseTimeout, IgnoresWhatIsNoIntegerOfItsRange) {
+TEST(ResponseTimeout, IgnoresValuesThatAreNoIntegerOfItsRange) {
   for (const char* nonsense : {"", "99", "600001", "-500", "+500", "5e3", "500ms", " 500", "500.0",
                                "99999999999999999999"})
     EXPECT_EQ(with(nonsense), 2s) << nonsense;

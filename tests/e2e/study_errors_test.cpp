@@ -23,10 +23,10 @@ constexpr const char* kStrong =
         "practice": 0})";
 const std::vector<std::string> kRun{"run", "quick", "--participant", "P01", "--simulated"};
 
-TEST_F(Study, ABallThatCannotPlayAllOfAnExperimentIsToldBeforeItBegins) {
+TEST_F(Study, ABallThatCannotPlayAllOfAnExperimentIsReportedBeforeItBegins) {
   home_.configure(R"({"limits": {"current_a": 8}})");
   start_daemon();
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   for (const auto& words : {kRun, {"rehearse"}}) {
     const Ended refused = study(words);
@@ -38,7 +38,7 @@ TEST_F(Study, ABallThatCannotPlayAllOfAnExperimentIsToldBeforeItBegins) {
 
 TEST_F(Study, AForecastThatIsRefusedEndsTheRunWithOnePause) {
   start_daemon(50);
-  remember_address();
+  store_address();
   home_.write("strong.json", kStrong);
   plan("th", "1", home_.path("strong.json"));
   const std::string name = "P01.strong.1.jsonl";
@@ -53,9 +53,9 @@ TEST_F(Study, AForecastThatIsRefusedEndsTheRunWithOnePause) {
   EXPECT_EQ(count(journal(name), "continued"), 0);
 }
 
-TEST_F(Study, WhoAnswersTooLateIsAskedAgainAndIsNotTakenForABallThatDoesNotPlay) {
+TEST_F(Study, LateAnswersRepeatTheTrialAndAreNoFaultOfTheBall) {
   start_daemon();
-  remember_address();
+  store_address();
   // Simulated people take at least 350 ms: with the first limit half of all answers are late, with
   // the second all.
   home_.write("hasty.json", quick(R"(, "response_limit_ms": 600)"));
@@ -77,7 +77,7 @@ TEST_F(Study, WhoAnswersTooLateIsAskedAgainAndIsNotTakenForABallThatDoesNotPlay)
 
 TEST_F(Study, ARunStaysWithItsBall) {
   start_daemon(2);
-  remember_address();
+  store_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";
   {
@@ -108,7 +108,7 @@ TEST_F(Study, ARunStaysWithItsBall) {
 
 TEST_F(Study, ADamagedJournalIsNoUnfinishedRun) {
   start_daemon();
-  remember_address();
+  store_address();
   plan("th", "2", quick_path());
   ASSERT_EQ(study(kRun).exit_code, 0);
   // Killed before its first line was written: nothing is missing.
@@ -133,7 +133,7 @@ TEST_F(Study, ADamagedJournalIsNoUnfinishedRun) {
   EXPECT_EQ(home_.read("th/journal/P01.quick.1.jsonl"), text);
 }
 
-TEST_F(Study, NobodyIsTakenForSomebodyElse) {
+TEST_F(Study, ParticipantsAreNotConfused) {
   plan("th", "2", quick_path());
   const Ended other = study({"run", "quick", "--participant", "P-01", "--simulated"});
   EXPECT_EQ(other.exit_code, 64);
@@ -147,7 +147,7 @@ TEST_F(Study, NobodyIsTakenForSomebodyElse) {
 
 TEST_F(Study, AnotherExperimentOfTheSameNameIsRefused) {
   start_daemon();
-  remember_address();
+  store_address();
   plan("th", "2", quick_path());
   ASSERT_EQ(study({"run", "quick", "--participant", "P01", "--simulated"}).exit_code, 0);
   home_.write("changed.json", quick(R"(, "discard": 3)"));
@@ -166,8 +166,8 @@ TEST_F(Study, AnotherExperimentOfTheSameNameIsRefused) {
   EXPECT_EQ(study({"plan", home_.path("other"), "--experiments", copy}).exit_code, 78);
 }
 
-TEST_F(Study, ExitCodesSayWhatToDo) {
-  const auto says = [&](const std::vector<std::string>& words, int code) {
+TEST_F(Study, ExitCodesDistinguishErrors) {
+  const auto expect_exit = [&](const std::vector<std::string>& words, int code) {
     const Ended ended = study(words);
     EXPECT_EQ(ended.exit_code, code) << words.front() << " " << ended.err;
     EXPECT_NE(ended.err, "");
@@ -176,27 +176,27 @@ TEST_F(Study, ExitCodesSayWhatToDo) {
   home_.write("bare/nothing", "");
   EXPECT_EQ(study({"status"}, "bare").exit_code, 66);
   plan("th", "1", quick_path());
-  says({"plan", "."}, 73);
-  says({"plan", "new", "--seed", "-1"}, 64);
-  says({"plan", "new", "--seed", "9007199254740993"}, 64);
-  says({"analyse"}, 66);
-  says({"export"}, 66);
+  expect_exit({"plan", "."}, 73);
+  expect_exit({"plan", "new", "--seed", "-1"}, 64);
+  expect_exit({"plan", "new", "--seed", "9007199254740993"}, 64);
+  expect_exit({"analyse"}, 66);
+  expect_exit({"export"}, 66);
   EXPECT_EQ(home_.read("th/data.csv"), "");
-  says({"resume"}, 66);
-  says({"trace", "/tmp", "--responses", "1"}, 66);
-  says({"trace", "force-jnd", "--responses", "1x"}, 65);
-  says({"trace", "nothing", "--responses", "1"}, 64);
-  says({"levels", "--threshold-a", "16"}, 64);
-  says({"levels", "--force-percent", "1e-9"}, 64);
-  says({"simulate", "--observers", "10", "--threads", "-3"}, 64);
+  expect_exit({"resume"}, 66);
+  expect_exit({"trace", "/tmp", "--responses", "1"}, 66);
+  expect_exit({"trace", "force-jnd", "--responses", "1x"}, 65);
+  expect_exit({"trace", "nothing", "--responses", "1"}, 64);
+  expect_exit({"levels", "--threshold-a", "16"}, 64);
+  expect_exit({"levels", "--force-percent", "1e-9"}, 64);
+  expect_exit({"simulate", "--observers", "10", "--threads", "-3"}, 64);
   address_ = "127.0.0.1:1";
-  says(kRun, 69);
+  expect_exit(kRun, 69);
   start_daemon();
-  remember_address();
-  says({"run", "quick", "--participant", "P01"}, 64);  // no terminal
+  store_address();
+  expect_exit({"run", "quick", "--participant", "P01"}, 64);  // no terminal
 }
 
-TEST_F(Study, TraceSaysEverySharedTraceAsJson) {
+TEST_F(Study, TracePrintsEverySharedTraceAsJson) {
   std::ifstream file(source_folder() + "/tests/study/data/traces.json");
   const Json shared = Json::parse(file)["traces"];
   ASSERT_EQ(shared.size(), 18U);
@@ -208,9 +208,9 @@ TEST_F(Study, TraceSaysEverySharedTraceAsJson) {
                      expected["responses"], "--json"});
     const Ended ended = program.wait();
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
-    const Json said = Json::parse(ended.out);
+    const Json printed = Json::parse(ended.out);
     for (const char* key : {"levels", "reversal_levels", "threshold", "status"})
-      EXPECT_EQ(said[key], expected[key]) << key;
+      EXPECT_EQ(printed[key], expected[key]) << key;
   }
   Program none(home_, hedgehog_study(), {"trace", "force-jnd", "--responses", "", "--json"});
   const Ended ended = none.wait();

@@ -10,7 +10,7 @@ namespace hedgehog::bench {
 /// `measure` in this thread while `load` runs in another. Returns when both have ended; throws what
 /// either threw.
 template <class Load, class Measure>
-void beside(Load load, Measure measure) {
+void concurrently(Load load, Measure measure) {
   std::future<void> loaded = std::async(std::launch::async, std::move(load));
   measure();
   loaded.get();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// judge.mjs REPORT: what bids-validator found, a line each. Exit: 0 nothing, 1 an error or a warning.
+// print_issues.mjs REPORT: what bids-validator found, a line each. Exit: 0 nothing, 1 an error or a warning.
 import { readFileSync } from "node:fs";
 
 const { issues } = JSON.parse(readFileSync(process.argv[2]));

@@ -17,16 +17,16 @@
 namespace hedgehog::soak {
 
 /// An expected response that has arrived, with its request's method if there is one.
-struct AnsweredRequest {
+struct CompletedRequest {
   std::string id;
   std::optional<protocol::Method> method;
   const protocol::Json* result = nullptr;  // null: an error
   int error = 0;                           // 0: a result
 };
 
-class PendingAnswers {
+class PendingResponses {
  public:
-  using OnAnswer = std::function<void(const AnsweredRequest&)>;
+  using OnResponse = std::function<void(const CompletedRequest&)>;
 
   /// Registers the expected response to a sent line, as decoded by the protocol's decoder.
   void expect(const protocol::Incoming& incoming);
@@ -34,7 +34,7 @@ class PendingAnswers {
   void expect_parse_error();
   /// Matches a response or a batch of responses. Throws Failure when none or another one was
   /// expected.
-  void receive(const protocol::Json& message, const OnAnswer& on_answer);
+  void receive(const protocol::Json& message, const OnResponse& on_response);
 
   std::size_t size() const noexcept { return size_; }
   /// Some of the missing responses, for a report.
@@ -48,8 +48,8 @@ class PendingAnswers {
   };
   using Batch = std::vector<Expected>;
 
-  void receive_one(const protocol::Json& message, const OnAnswer& on_answer);
-  void receive_batch(const protocol::Json::List& messages, const OnAnswer& on_answer);
+  void receive_one(const protocol::Json& message, const OnResponse& on_response);
+  void receive_batch(const protocol::Json::List& messages, const OnResponse& on_response);
 
   std::map<std::string, std::list<Expected>> single_;  // by the id's JSON text
   std::list<Batch> batches_;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tests the quick starts, from an installed daemon to the first pulse: newcomer.py HEDGEHOGD [LIBRARY...].
+"""Tests the quick starts, from an installed daemon to the first pulse: quick_starts.py HEDGEHOGD [LIBRARY...].
 
 Each README's program is written to an empty folder beside the sources, and its commands are run verbatim. The printed table has the
 number of commands and the time until the daemon started the first pulse. Exit: 1 a quick start fails, or the table of
@@ -39,8 +39,8 @@ class FirstPulse:
     """The time at which the daemon started the first effect without a slot: each program's push."""
 
     def __init__(self, address):
-        self._ball = hedgehog.Ball(address, name="observer", patience_s=LIMIT_S)
-        self._events = self._ball.events(["effect_started"], scope="all", patience_s=LIMIT_S)
+        self._ball = hedgehog.Ball(address, name="observer", timeout_s=LIMIT_S)
+        self._events = self._ball.events(["effect_started"], scope="all", timeout_s=LIMIT_S)
         self.at = None
         self._thread = threading.Thread(target=self._wait)
         self._thread.start()
@@ -64,7 +64,7 @@ def start_engine(library, game, environment):
     return quick_start.start(game, environment) if library == "Unreal" else None
 
 
-def take_way(daemon_program, library, commands, game):
+def time_quick_start(daemon_program, library, commands, game):
     """Seconds until the first pulse; None: there was none."""
     started = time.monotonic()
     assert commands[0] == START, commands
@@ -86,7 +86,7 @@ def take_way(daemon_program, library, commands, game):
     return at - started if at else None
 
 
-def way_of(daemon_program, library):
+def measure_quick_start(daemon_program, library):
     """The number of commands, and the seconds until the first pulse."""
     path, language, files = LIBRARIES[library]
     guide = readme.Readme(path)
@@ -95,7 +95,7 @@ def way_of(daemon_program, library):
         if library == "Godot":
             # The editor's part: a scene, to whose node the script is attached.
             project.make_scene(game, "godot3")
-        return len(guide.commands()), take_way(daemon_program, library, guide.commands(), game)
+        return len(guide.commands()), time_quick_start(daemon_program, library, guide.commands(), game)
 
 
 def documented():
@@ -118,7 +118,7 @@ def main():
     print("%-24s %9s %9s" % ("", "commands", "seconds"))
     well = print_row(FROM_CLONE, len(readme.Readme("README.md").commands()), "-", "  measured by clone.py")
     for library in libraries:
-        commands, seconds = way_of(sys.argv[1], library)
+        commands, seconds = measure_quick_start(sys.argv[1], library)
         note = NOTES.get(library, "") + ("  nothing was felt" if seconds is None else "")
         row = print_row(library, commands, "-" if seconds is None else "%.1f" % seconds, note)
         well = well and row and seconds is not None

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# judge_guard.sh FOLDER: checks that tests fail without the guard that remove_guards.sh removed in FOLDER/source. Creates
+# test_guard.sh FOLDER: checks that tests fail without the guard that remove_guards.sh removed in FOLDER/source. Creates
 # FOLDER/seen_red when each line of FOLDER/red has a failing test.
 set -euo pipefail
 

@@ -13,7 +13,7 @@
 namespace hedgehog::device {
 namespace {
 
-TEST(BoardOnUsb, ABoardThatDoesNotListenFillsThePoolAndNoMore) {
+TEST(BoardOnUsb, ABoardThatDoesNotReadFillsThePoolAndNoMore) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   board.listens = false;
@@ -25,7 +25,7 @@ TEST(BoardOnUsb, ABoardThatDoesNotListenFillsThePoolAndNoMore) {
   EXPECT_GE(bench.sent, kWriteSlots + 99);
 }
 
-TEST(BoardOnUsb, PulledOutInTheMiddleOfATransferItIsClosedAndFoundAgain) {
+TEST(BoardOnUsb, UnpluggedDuringATransferItIsClosedAndFoundAgain) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   board.listens = false;  // frames to it stay in transfer
@@ -36,7 +36,7 @@ TEST(BoardOnUsb, PulledOutInTheMiddleOfATransferItIsClosedAndFoundAgain) {
   EXPECT_FALSE(bench.finder.usb_info().serial);
   EXPECT_EQ(bench.what(), std::string(kSeven) + ": it went away");
   EXPECT_EQ(board.open_ports, 0);
-  EXPECT_EQ(board.left_under_way, 0);
+  EXPECT_EQ(board.still_submitted, 0);
   EXPECT_EQ(board.begun, board.ended);
   bench.run(2000);
   EXPECT_EQ(bench.what(), "no driver board is connected (1209:0001)");
@@ -50,7 +50,7 @@ TEST(BoardOnUsb, PulledOutInTheMiddleOfATransferItIsClosedAndFoundAgain) {
   EXPECT_EQ(bench.received.size(), 100u);
 }
 
-TEST(BoardOnUsb, AStallIsEndedWithoutOpeningItAgain) {
+TEST(BoardOnUsb, AStallIsClearedWithoutReopening) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(board, 100);
@@ -64,7 +64,7 @@ TEST(BoardOnUsb, AStallIsEndedWithoutOpeningItAgain) {
   EXPECT_GE(bench.received.size(), before + 100);
 }
 
-TEST(BoardOnUsb, AStallThatDoesNotEndClosesItAndItIsTriedLessAndLessOften) {
+TEST(BoardOnUsb, APersistentStallClosesItAndItIsReopenedWithBackoff) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(board, 100);
@@ -78,7 +78,7 @@ TEST(BoardOnUsb, AStallThatDoesNotEndClosesItAndItIsTriedLessAndLessOften) {
   EXPECT_LE(board.open_ports, 1);
 }
 
-TEST(BoardOnUsb, StallsAgainAndAgainLeadToANewOpening) {
+TEST(BoardOnUsb, RepeatedStallsLeadToAReopening) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   for (int i = 0; i <= BoardFinder::kMaxStalls; ++i) {
@@ -104,7 +104,7 @@ TEST(BoardOnUsb, FailingTransfersAndSilenceCloseItToo) {
   EXPECT_EQ(board.open_ports, 0);
 }
 
-TEST(BoardOnUsb, WithoutABoardItIsLookedForOnceASecond) {
+TEST(BoardOnUsb, WithoutABoardTheBusIsScannedOnceASecond) {
   Bench bench;
   bench.run(60'000);
   EXPECT_LE(bench.usb.listed, 63);
@@ -127,11 +127,11 @@ TEST(BoardOnUsb, AThousandPlugCyclesLoseNothing) {
   EXPECT_EQ(board.opened, 1000);
   EXPECT_EQ(bench.finder.usb_info().opened, 1000u);
   EXPECT_EQ(bench.finder.usb_info().closed, 1000u);
-  EXPECT_EQ(board.left_under_way, 0);
+  EXPECT_EQ(board.still_submitted, 0);
   EXPECT_EQ(board.begun, board.ended);
 }
 
-TEST(BoardOnUsb, ClosingLetsTheLastFrameGoOut) {
+TEST(BoardOnUsb, ClosingSendsTheLastFrame) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(board, 10);
@@ -139,14 +139,14 @@ TEST(BoardOnUsb, ClosingLetsTheLastFrameGoOut) {
   bench.finder.close();
   EXPECT_EQ(board.on_event.size(), sent);
   EXPECT_EQ(board.open_ports, 0);
-  EXPECT_EQ(board.left_under_way, 0);
+  EXPECT_EQ(board.still_submitted, 0);
 }
 
-RC_GTEST_PROP(BoardOnUsb, WhateverHappensNothingIsLostOrLeftOpen, ()) {
-  const auto happenings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 9));
+RC_GTEST_PROP(BoardOnUsb, NothingIsLostOrLeftOpenUnderAnyFaults, ()) {
+  const auto faults = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 9));
   auto bench = std::make_unique<Bench>();
   FakeBoard& board = bench->usb.plug_in("7");
-  for (const int one : happenings) {
+  for (const int one : faults) {
     if (one == 0) board.plugged = !board.plugged;
     if (one == 1) board.stalled = true;
     if (one == 2) board.listens = !board.listens;
@@ -159,7 +159,7 @@ RC_GTEST_PROP(BoardOnUsb, WhateverHappensNothingIsLostOrLeftOpen, ()) {
   }
   bench->finder.close();
   RC_ASSERT(board.open_ports == 0);
-  RC_ASSERT(board.left_under_way == 0);
+  RC_ASSERT(board.still_submitted == 0);
   RC_ASSERT(board.begun == board.ended);
   RC_ASSERT(bench->finder.usb_info().opened == bench->finder.usb_info().closed);
 }

@@ -2,7 +2,7 @@
 // What happened on the ball, newest first: what the daemon remembers, then what it tells. Trips, what else
 // concerns the ball, derating, what recurs, and ends of effects have lines of their own, so that neither a game, nor a warm ball,
 // nor a busy machine pushes news out.
-import { happening } from "./words.js";
+import { eventText } from "./words.js";
 
 /** Events of one of these types within a minute are one line. */
 const kRecurring = ["overrun", "orientation_lost", "orientation_restored"];
@@ -10,19 +10,19 @@ const kSeriesMs = 60_000;
 const kDerating = ["derating_started", "derating_ended"];
 
 const kKinds = [
-  { limit: 4, ask: { trips: true }, is: (event) => isTrip(event) },
+  { limit: 4, params: { trips: true }, is: (event) => isTrip(event) },
   {
     limit: 5,
-    ask: { types: ["state_changed", "device_attached", "device_detached", "shutting_down"] },
+    params: { types: ["state_changed", "device_attached", "device_detached", "shutting_down"] },
     is: (event) => !isTrip(event) && !isEnd(event) && !recurs(event) && !derates(event) && event.type !== "effect_started",
   },
-  { limit: 2, ask: { types: kDerating }, is: (event) => derates(event) },
-  { limit: 2, ask: { types: kRecurring }, is: (event) => recurs(event) },
-  { limit: 3, ask: { types: ["effect_ended"] }, is: (event) => isEnd(event) && event.reason !== "replaced" },
+  { limit: 2, params: { types: kDerating }, is: (event) => derates(event) },
+  { limit: 2, params: { types: kRecurring }, is: (event) => recurs(event) },
+  { limit: 3, params: { types: ["effect_ended"] }, is: (event) => isEnd(event) && event.reason !== "replaced" },
 ];
 /** Who played what, and where the recording of a trip is, only the history says; a recording may take seconds. */
 const kNamesMs = 500;
-const kMaxLooks = 8;
+const kMaxAttempts = 8;
 
 const isTrip = (event) => event.type === "state_changed" && event.current_a !== undefined;
 const derates = (event) => kDerating.includes(event.type);
@@ -47,7 +47,7 @@ function seriesOf(event, events) {
 function item(event, save) {
   const line = document.createElement("li");
   const at = Object.assign(document.createElement("time"), { dateTime: event.at, textContent: when(event.at) });
-  const words = Object.assign(document.createElement("span"), { textContent: happening(event) });
+  const words = Object.assign(document.createElement("span"), { textContent: eventText(event) });
   words.classList.toggle("bad", isTrip(event) || event.state === "tripped");
   if (event.recording) {
     const file = `${event.recording}.hhr`;
@@ -63,12 +63,12 @@ function item(event, save) {
   return line;
 }
 
-/** Fills `list` from `link`. `say(text, bad)`: one line for the person. */
-export function happened(list, link, say) {
+/** Fills `list` from `link`. `showMessage(text, bad)`: one line for the person. */
+export function eventList(list, link, showMessage) {
   const kinds = kKinds.map((kind) => ({ ...kind, events: [] }));
   let drawn = true;
   let naming = null;
-  let looks = 0;
+  let attempts = 0;
   // The browser sends no Authorization for a link that is clicked.
   const save = async (file) => {
     try {
@@ -78,7 +78,7 @@ export function happened(list, link, say) {
       Object.assign(document.createElement("a"), { href: url, download: file }).click();
       URL.revokeObjectURL(url);
     } catch (error) {
-      say(`${file} was not downloaded: ${error.message}`, true);
+      showMessage(`${file} was not downloaded: ${error.message}`, true);
     }
   };
   const show = () => {
@@ -92,26 +92,26 @@ export function happened(list, link, say) {
     });
   };
   /** What the daemon remembers, behind what it has told and does not remember. */
-  const recall = async (kind) => {
+  const load = async (kind) => {
     // Room for the trips among what concerns the ball.
-    const { events } = await link.call("events.history", { ...kind.ask, limit: 2 * kind.limit });
+    const { events } = await link.call("events.history", { ...kind.params, limit: 2 * kind.limit });
     const past = events.filter(kind.is).reverse();
-    const told = kind.events.filter((event) => event.fresh && !past.some((old) => same(event, old)));
-    kind.events = [...told, ...past].slice(0, kind.limit);
+    const recent = kind.events.filter((event) => event.fresh && !past.some((old) => same(event, old)));
+    kind.events = [...recent, ...past].slice(0, kind.limit);
     show();
   };
   // A call that fails leaves what is there.
-  const recallAll = (some) => Promise.allSettled(some.map(recall));
+  const loadAll = (some) => Promise.allSettled(some.map(load));
   const isFresh = ({ events }) => events.some((event) => event.fresh);
-  const lookLater = () => {
+  const reloadLater = () => {
     naming ??= setTimeout(async () => {
       naming = null;
       const [trips] = kinds;
-      await recallAll(kinds.filter((kind) => isFresh(kind) || (kind === trips && looks > 0)));
-      if (trips.events[0] && !trips.events[0].recording && --looks > 0) lookLater();
+      await loadAll(kinds.filter((kind) => isFresh(kind) || (kind === trips && attempts > 0)));
+      if (trips.events[0] && !trips.events[0].recording && --attempts > 0) reloadLater();
     }, kNamesMs);
   };
-  link.addEventListener("open", () => recallAll(kinds));
+  link.addEventListener("open", () => loadAll(kinds));
   link.addEventListener("gone", () => {
     for (const kind of kinds) kind.events = kind.events.map((event) => ({ ...event, fresh: false }));
   });
@@ -128,7 +128,7 @@ export function happened(list, link, say) {
     }
     kind.events = [{ ...detail, at: new Date().toISOString(), fresh: true }, ...kind.events].slice(0, kind.limit);
     show();
-    if (isTrip(detail)) looks = kMaxLooks;
-    if (isTrip(detail) || isEnd(detail)) lookLater();
+    if (isTrip(detail)) attempts = kMaxAttempts;
+    if (isTrip(detail) || isEnd(detail)) reloadLater();
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/soak/pending_answers.h"
+#include "tests/soak/pending_responses.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,13 +12,13 @@ namespace {
 
 /// Why `message` is not the response to a request of `method` that may only fail with `error`.
 std::string mismatch(const protocol::Json& message, const std::optional<protocol::Method>& method,
-                     const std::optional<int>& error, AnsweredRequest& answered) {
+                     const std::optional<int>& error, CompletedRequest& completed) {
   const protocol::Json* version = message.find("jsonrpc");
   if (version == nullptr || protocol::to_text(*version) != R"("2.0")") return "no version";
   const protocol::Json* result = message.find("result");
   const protocol::Json* failed = message.find("error");
   if ((result == nullptr) == (failed == nullptr)) return "not one of result and error";
-  answered.result = result;
+  completed.result = result;
   if (result != nullptr) {
     if (error || !method) return "a result, though the request is wrong";
     return protocol::violation(message_definitions(), protocol::result_name(*method), *result);
@@ -29,9 +29,9 @@ std::string mismatch(const protocol::Json& message, const std::optional<protocol
   const protocol::Json* code = failed->find("code");
   const auto* number = code == nullptr ? nullptr : code->as<std::int64_t>();
   if (number == nullptr) return "an error without a code";
-  answered.error = static_cast<int>(*number);
-  if (error) return answered.error == *error ? "" : "another error than " + std::to_string(*error);
-  const auto which = static_cast<protocol::ErrorCode>(answered.error);
+  completed.error = static_cast<int>(*number);
+  if (error) return completed.error == *error ? "" : "another error than " + std::to_string(*error);
+  const auto which = static_cast<protocol::ErrorCode>(completed.error);
   return protocol::possible_errors(protocol::info(*method)).contains(which)
              ? ""
              : "an error that the method does not list";
@@ -39,7 +39,7 @@ std::string mismatch(const protocol::Json& message, const std::optional<protocol
 
 }  // namespace
 
-void PendingAnswers::expect(const protocol::Incoming& incoming) {
+void PendingResponses::expect(const protocol::Incoming& incoming) {
   Batch expected;
   for (const protocol::Item& item : incoming.items) {
     if (!item.id) continue;
@@ -55,21 +55,21 @@ void PendingAnswers::expect(const protocol::Incoming& incoming) {
     single_[expected.front().id].push_back(expected.front());
 }
 
-void PendingAnswers::expect_parse_error() {
+void PendingResponses::expect_parse_error() {
   ++size_;
   single_["null"].push_back(
       {"null", std::nullopt, static_cast<int>(protocol::ErrorCode::kParseError)});
 }
 
-void PendingAnswers::receive(const protocol::Json& message, const OnAnswer& on_answer) {
+void PendingResponses::receive(const protocol::Json& message, const OnResponse& on_response) {
   if (const auto* many = message.as<protocol::Json::List>())
-    receive_batch(*many, on_answer);
+    receive_batch(*many, on_response);
   else
-    receive_one(message, on_answer);
+    receive_one(message, on_response);
   --size_;
 }
 
-void PendingAnswers::receive_one(const protocol::Json& message, const OnAnswer& on_answer) {
+void PendingResponses::receive_one(const protocol::Json& message, const OnResponse& on_response) {
   const protocol::Json* id = message.find("id");
   const auto found = single_.find(id == nullptr ? "" : protocol::to_text(*id));
   if (found == single_.end())
@@ -77,22 +77,22 @@ void PendingAnswers::receive_one(const protocol::Json& message, const OnAnswer& 
   std::string why_not;
   // Requests of the same id (mostly null) are answered in any order.
   for (auto one = found->second.begin(); one != found->second.end(); ++one) {
-    AnsweredRequest answered{one->id, one->method};
-    const std::string wrong = mismatch(message, one->method, one->error, answered);
+    CompletedRequest completed{one->id, one->method};
+    const std::string wrong = mismatch(message, one->method, one->error, completed);
     if (!wrong.empty()) {
       why_not = wrong;
       continue;
     }
     found->second.erase(one);
     if (found->second.empty()) single_.erase(found);
-    on_answer(answered);
+    on_response(completed);
     return;
   }
   throw Failure("a wrong response (" + why_not + "): " + shortened(message));
 }
 
-void PendingAnswers::receive_batch(const protocol::Json::List& messages,
-                                   const OnAnswer& on_answer) {
+void PendingResponses::receive_batch(const protocol::Json::List& messages,
+                                     const OnResponse& on_response) {
   std::vector<std::string> ids;
   for (const protocol::Json& one : messages) {
     const protocol::Json* id = one.find("id");
@@ -106,17 +106,17 @@ void PendingAnswers::receive_batch(const protocol::Json::List& messages,
     throw Failure("responses of no batch that was sent, or in another order: " +
                   shortened(protocol::Json{messages}));
   for (std::size_t i = 0; i < messages.size(); ++i) {
-    AnsweredRequest answered{ids[i], (*batch)[i].method};
+    CompletedRequest completed{ids[i], (*batch)[i].method};
     const std::string wrong =
-        mismatch(messages[i], (*batch)[i].method, (*batch)[i].error, answered);
+        mismatch(messages[i], (*batch)[i].method, (*batch)[i].error, completed);
     if (!wrong.empty())
       throw Failure("a wrong response in a batch (" + wrong + "): " + shortened(messages[i]));
-    on_answer(answered);
+    on_response(completed);
   }
   batches_.erase(batch);
 }
 
-std::string PendingAnswers::text() const {
+std::string PendingResponses::text() const {
   std::string text =
       std::to_string(single_.size()) + " ids, " + std::to_string(batches_.size()) + " batches;";
   for (const auto& [id, requests] : single_) {

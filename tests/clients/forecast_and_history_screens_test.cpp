@@ -19,7 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(PreviewScreen, DrawsEachWindingToOneScaleAndSaysWhatHeatTakes) {
+TEST(PreviewScreen, DrawsEachWindingToOneScaleAndReportsDerating) {
   protocol::PreviewResult preview{.duration_ms = 10'000, .step_ms = 50};
   for (int i = 0; i < 200; ++i) {
     preview.current_a.push_back({0.0, i < 100 ? 15.0 : 9.0, -4.0});
@@ -46,7 +46,7 @@ TEST(PreviewScreen, DrawsEachWindingToOneScaleAndSaysWhatHeatTakes) {
   EXPECT_EQ(preview_screen("x", preview, false)[2], "  y  nothing flows");
 }
 
-TEST(ForecastScreen, SaysWhatIsKnownAndThatNothingIs) {
+TEST(ForecastScreen, ShowsKnownFiguresAndMarksUnknownOnes) {
   protocol::ForecastResult forecast{.seconds_to_derating = 22.0, .sustainable_a = 5.6};
   forecast.recovery_s = 0.0;
   EXPECT_THAT(forecast_screen(forecast, 15.0, "left"),
@@ -118,7 +118,7 @@ TEST(HistoryScreen, HasALineADayAndALineAnEvent) {
                           "  00:00:00.000  derating_ended"));
 }
 
-TEST(HistoryScreen, SaysHowOftenWhatRecursHasComeAndWhenLast) {
+TEST(HistoryScreen, ShowsTheCountAndLastTimeOfRecurringEvents) {
   ::setenv("TZ", "UTC0", 1);
   ::tzset();
   protocol::HistoryResult history;

@@ -7,15 +7,15 @@
 
 namespace hedgehog::e2e {
 
-inline constexpr std::chrono::seconds kPatience{60};
+inline constexpr std::chrono::seconds kTimeout{60};
 /// For a whole program, or for one message among others that keep arriving.
-inline constexpr std::chrono::seconds kLongPatience{600};
+inline constexpr std::chrono::seconds kLongTimeout{600};
 
-/// Polls `done` every 5 ms; false when it was not true within `patience`.
+/// Polls `done` every 5 ms; false when it was not true within `timeout`.
 template <class Done>
-bool wait_until(Done done, std::chrono::seconds patience = kPatience) {
+bool wait_until(Done done, std::chrono::seconds timeout = kTimeout) {
   constexpr std::chrono::milliseconds kStep{5};
-  const auto deadline = std::chrono::steady_clock::now() + patience;
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
   while (!done()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(kStep);

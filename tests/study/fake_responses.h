@@ -8,8 +8,8 @@
 namespace hedgehog::study {
 
 /// `start_id` empty: an older daemon, which reports none.
-inline nlohmann::json fake_answers(const std::string& start_id = "") {
-  auto answers = nlohmann::json::parse(R"({
+inline nlohmann::json fake_responses(const std::string& start_id = "") {
+  auto responses = nlohmann::json::parse(R"({
   "hello": {"server": "hedgehogd", "version": "1", "protocol": "1.0", "connection": 1,
     "role": "operate", "state": "armed", "reason": null, "remedy": null, "methods": [],
     "device": {"name": "ball", "model": "hedgehog-86", "simulated": true},
@@ -33,8 +33,8 @@ inline nlohmann::json fake_answers(const std::string& start_id = "") {
   "device.status": {"state": "armed", "reason": null, "derating": false},
   "thermal.forecast": {"seconds_to_derating": null}
 })");
-  if (!start_id.empty()) answers["hello"]["start_id"] = start_id;
-  return answers;
+  if (!start_id.empty()) responses["hello"]["start_id"] = start_id;
+  return responses;
 }
 
 }  // namespace hedgehog::study

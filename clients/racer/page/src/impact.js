@@ -10,7 +10,7 @@ const kGap = 0.15;
 
 const kAlong = new Vector3(0, 0, 1);
 
-export class Blow {
+export class Impact {
   /** `body`: the car's group, in whose frame directions are; `size`: as the track tells the car's. */
   constructor(body, { half, lift }) {
     this.half = half;

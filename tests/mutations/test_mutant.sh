@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# judge_mutant.sh NUMBER: checks whether a test fails with mutant NUMBER of build/mutations/chosen. Appends a line to
+# test_mutant.sh NUMBER: checks whether a test fails with mutant NUMBER of build/mutations/chosen. Appends a line to
 # build/mutations/results: verdict, test, then the mutant as in `chosen`, separated by tabs. Verdicts: killed, late (a test
 # did not end), survived, nonviable (does not compile), left (no time left), broken (could not be tested).
 set -euo pipefail

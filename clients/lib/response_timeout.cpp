@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/lib/patience.h"
+#include "clients/lib/response_timeout.h"
 
 #include <charconv>
 

@@ -16,8 +16,8 @@ std::string padded_ping(std::size_t bytes) {
   return head + std::string(bytes - head.size(), ' ');
 }
 
-struct ImpatientHome : Home {
-  ImpatientHome() { configure(R"({"connections": {"write_timeout_s": 1}})"); }
+struct ShortTimeoutHome : Home {
+  ShortTimeoutHome() { configure(R"({"connections": {"write_timeout_s": 1}})"); }
 };
 
 /// One daemon for all tests; beside each client that sends garbage a game keeps playing.
@@ -46,12 +46,12 @@ class Garbage : public testing::Test {
     play_on();
     EXPECT_TRUE(client_.send(line));
     EXPECT_TRUE(client_.send("\n"));
-    const Json answer = client_.answer();
-    return answer.contains("error") ? answer["error"]["code"].get<int>() : 0;
+    const Json response = client_.response();
+    return response.contains("error") ? response["error"]["code"].get<int>() : 0;
   }
   void expect_alive() { EXPECT_TRUE(client_.call("ping").contains("time_ns")); }
 
-  ImpatientHome home_;
+  ShortTimeoutHome home_;
   DaemonProcess daemon_{home_};
   RawClient game_{daemon_.port()};
   RawClient client_{daemon_.port()};
@@ -65,20 +65,20 @@ TEST_F(Garbage, ALineOf64KiBIsServedAndALongerOneIsNot) {
   expect_alive();
 }
 
-TEST_F(Garbage, AMegabyteWithoutALineEndIsToldOnce) {
+TEST_F(Garbage, AMegabyteWithoutALineEndIsOneError) {
   EXPECT_TRUE(client_.send("{" + std::string(1 << 20, 'x')));
-  EXPECT_EQ(client_.answer()["error"]["code"], -32700);
+  EXPECT_EQ(client_.response()["error"]["code"], -32700);
   EXPECT_TRUE(client_.send("\n"));
   expect_alive();
 }
 
-TEST_F(Garbage, HalfALineIsForgottenWithItsConnection) {
+TEST_F(Garbage, HalfALineIsDiscardedWithItsConnection) {
   EXPECT_TRUE(client_.send(R"({"jsonrpc":"2.0","id":1,"method":"pi)"));
   client_.half_close();
   EXPECT_TRUE(client_.closed_by_daemon());
 }
 
-TEST_F(Garbage, WhatIsNoJsonIsAParseError) {
+TEST_F(Garbage, InvalidJsonIsAParseError) {
   EXPECT_EQ(code("{"), -32700);
   EXPECT_EQ(code(""), -32700);
   EXPECT_EQ(code("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"\xff\xfe\"}"), -32700);
@@ -92,7 +92,7 @@ TEST_F(Garbage, WhatIsNoJsonIsAParseError) {
   expect_alive();
 }
 
-TEST_F(Garbage, WhatIsNoRequestIsInvalid) {
+TEST_F(Garbage, JsonThatIsNoRequestIsInvalid) {
   EXPECT_EQ(code("{}"), -32600);
   EXPECT_EQ(code("[]"), -32600);
   EXPECT_EQ(code("[" +
@@ -113,24 +113,24 @@ TEST_F(Garbage, WhatIsNoRequestIsInvalid) {
   expect_alive();
 }
 
-TEST_F(Garbage, ABatchWithEverythingAnswersEachInOrder) {
+TEST_F(Garbage, AMixedBatchIsAnsweredInOrder) {
   EXPECT_TRUE(client_.send(
       R"([{"jsonrpc":"2.0","id":1,"method":"ping"},7,{"jsonrpc":"2.0","method":"no.such"},)"
       R"({"jsonrpc":"2.0","id":2,"method":"no.such"},{"jsonrpc":"2.0","id":3,)"
       R"("method":"effect.pulse","params":{"direction":"sideways"}},)"
       R"({"jsonrpc":"2.0","id":4,"method":"ping"}])"
       "\n"));
-  const Json answers = client_.answer();
-  ASSERT_EQ(answers.size(), 5u);
-  EXPECT_TRUE(answers[0].contains("result"));
-  EXPECT_EQ(answers[1]["error"]["code"], -32600);
-  EXPECT_EQ(answers[1]["id"], nullptr);
-  EXPECT_EQ(answers[2]["error"]["code"], -32601);
-  EXPECT_EQ(answers[3]["error"]["code"], -32602);
-  EXPECT_EQ(answers[4]["id"], 4);
+  const Json responses = client_.response();
+  ASSERT_EQ(responses.size(), 5u);
+  EXPECT_TRUE(responses[0].contains("result"));
+  EXPECT_EQ(responses[1]["error"]["code"], -32600);
+  EXPECT_EQ(responses[1]["id"], nullptr);
+  EXPECT_EQ(responses[2]["error"]["code"], -32601);
+  EXPECT_EQ(responses[3]["error"]["code"], -32602);
+  EXPECT_EQ(responses[4]["id"], 4);
 }
 
-TEST_F(Garbage, ABrowserGetsNowhere) {
+TEST_F(Garbage, AHttpRequestIsRejected) {
   RawClient browser(daemon_.port());
   browser.send(
       "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 60\r\n\r\n"
@@ -140,7 +140,7 @@ TEST_F(Garbage, ABrowserGetsNowhere) {
   EXPECT_EQ(game_.call("device.status")["state"], "armed");
 }
 
-TEST_F(Garbage, WhoFloodsWithoutReadingIsCutOffAndEndsWithItsEffects) {
+TEST_F(Garbage, AFloodWithoutReadingIsDisconnectedAndItsEffectsEnd) {
   RawClient watcher(daemon_.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   RawClient flood(daemon_.port());

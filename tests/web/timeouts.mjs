@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Timeouts of the tests.
+import assert from "node:assert/strict";
+import { setTimeout } from "node:timers/promises";
+
+/** Without a graphics card a busy machine takes seconds to draw a page. */
+export const kTimeout = { timeout: 120_000 };
+
+/** Waits until `condition`, which runs outside the page, returns a value. */
+export async function eventually(condition) {
+  const end = Date.now() + kTimeout.timeout;
+  while (!await condition()) {
+    assert.ok(Date.now() < end, `never: ${condition}`);
+    await setTimeout(50);
+  }
+}
