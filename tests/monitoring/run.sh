@@ -39,7 +39,7 @@ said() {
   return 1
 }
 
-"$build/daemon/hedgehogd" --simulate --listen 127.0.0.1:0 >"$work/lines" 2>"$work/daemon.log" &
+"$build/daemon/hedgehogd" --simulate --speed 1 --listen 127.0.0.1:0 >"$work/lines" 2>"$work/daemon.log" &
 running+=($!)
 ball=$(said "listening on http://")
 

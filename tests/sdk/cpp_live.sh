@@ -25,7 +25,7 @@ nobody=$(HEDGEHOG_ADDRESS=127.0.0.1:1 "$build/tests/sdk/cpp_racer" 2>&1 >/dev/nu
 
 mkfifo "$work/listening"
 exec 3<>"$work/listening"
-"$build/daemon/hedgehogd" --simulate --listen 127.0.0.1:0 >"$work/listening" 2>"$work/daemon.log" &
+"$build/daemon/hedgehogd" --simulate --speed 1 --listen 127.0.0.1:0 >"$work/listening" 2>"$work/daemon.log" &
 daemon=$!
 read -r -t 120 line <&3 || { cat "$work/daemon.log"; fail "the daemon did not start"; }
 echo "$line"

@@ -12,6 +12,8 @@ import threading
 
 # Far more than a busy machine needs, so that only processes that hang are killed.
 LIMIT_S = 240.0
+# The simulated board keeps step with the control loop: a busy machine makes both late, but does not lose the board.
+SIMULATE = ("--simulate", "--speed", "1")
 
 
 def limit(process):
@@ -23,12 +25,9 @@ def limit(process):
 
 
 class LiveDaemon:
-    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`).
+    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`)."""
 
-    `options`: of hedgehogd, besides --simulate.
-    """
-
-    def __init__(self, program, role="play", options=()):
+    def __init__(self, program, role="play"):
         self._folder = tempfile.TemporaryDirectory()
         self.token = "hht_of-a-test"
         self.fingerprint = self._make_access(os.path.join(self._folder.name, "hedgehog"), role)
@@ -37,7 +36,7 @@ class LiveDaemon:
             environment[name] = self._folder.name
         for name in ("RUNTIME_DIRECTORY", "STATE_DIRECTORY"):
             environment.pop(name, None)
-        self._process = subprocess.Popen([program, "--simulate", *options, "--listen", "tls://127.0.0.1:0", "--listen", "127.0.0.1:0"],
+        self._process = subprocess.Popen([program, *SIMULATE, "--listen", "tls://127.0.0.1:0", "--listen", "127.0.0.1:0"],
                                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         timer = limit(self._process)
         self.address = ""

@@ -19,7 +19,7 @@ let address;
 
 before(async () => {
   folder = fs.mkdtempSync(path.join(os.tmpdir(), "hedgehog-js-"));
-  daemon = spawn(process.env.HEDGEHOGD, ["--simulate", "--listen", "127.0.0.1:0"], {
+  daemon = spawn(process.env.HEDGEHOGD, ["--simulate", "--speed", "1", "--listen", "127.0.0.1:0"], {
     env: { ...process.env, HOME: folder, XDG_CONFIG_HOME: folder, XDG_STATE_HOME: folder, XDG_RUNTIME_DIR: folder },
     stdio: ["ignore", "pipe", "ignore"],
   });

@@ -33,7 +33,7 @@ before(async () => {
   fingerprint = new crypto.X509Certificate(fs.readFileSync(certificate)).fingerprint256;
   const digest = crypto.createHash("sha256").update(token).digest("hex");
   fs.writeFileSync(path.join(state, "tokens"), `arcade play sha256:${digest} 2026-11-24\n`);
-  daemon = spawn(process.env.HEDGEHOGD, ["--simulate", "--listen", "tls://127.0.0.1:0"], {
+  daemon = spawn(process.env.HEDGEHOGD, ["--simulate", "--speed", "1", "--listen", "tls://127.0.0.1:0"], {
     env: { ...process.env, HOME: folder, XDG_CONFIG_HOME: folder, XDG_STATE_HOME: folder, XDG_RUNTIME_DIR: folder },
     stdio: ["ignore", "pipe", "ignore"],
   });

@@ -98,8 +98,7 @@ def arranged(messages):
 
 
 def record(program, command):
-    # In lock-step: a busy machine makes it slow, but loses no ball.
-    daemon = live_daemon.LiveDaemon(program, options=["--speed", "1"])
+    daemon = live_daemon.LiveDaemon(program)
     recorded = RecordedAddress(daemon.address)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("HEDGEHOG_")}
     try:

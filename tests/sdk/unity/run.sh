@@ -70,7 +70,8 @@ export RUNTIME_DIRECTORY=$work/hedgehog
 unset HEDGEHOG_ADDRESS STATE_DIRECTORY
 mkfifo "$work/listening"
 exec 3<>"$work/listening"
-"$hedgehogd" --simulate --listen 127.0.0.1:0 >"$work/listening" 2>"$work/daemon.log" &
+# In step with the control loop, so that a busy machine does not lose the simulated board.
+"$hedgehogd" --simulate --speed 1 --listen 127.0.0.1:0 >"$work/listening" 2>"$work/daemon.log" &
 daemon=$!
 address=
 while [ -z "$address" ]; do
