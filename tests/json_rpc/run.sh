@@ -19,4 +19,4 @@ export HEDGEHOGD HEDGEHOG_NODE_MODULES HEDGEHOG_JSON_READERS HEDGEHOG_JSONRPCCPP
 "${CXX:-c++}" -std=c++14 -Wall -Wextra -Wno-deprecated "$here/jsonrpccpp_client.cpp" -o "$HEDGEHOG_JSONRPCCPP_CLIENT" \
   $(pkg-config --cflags --libs jsoncpp libjsonrpccpp-client)
 
-exec node --test --test-concurrency=1 --test-timeout=240000 "$here"/*.test.mjs
+exec "$here/../node_test.sh" 240000 --test-concurrency=1 "$here"/*.test.mjs

@@ -43,7 +43,7 @@ packages=$PWD/../../build/npm
 ../../cmake/npm.sh js/types "$packages/typescript"
 HEDGEHOGD=$daemon HEDGEHOG_PACKED=$packed HEDGEHOG_NODE_MODULES=$packages/web/node_modules \
   HEDGEHOG_TYPESCRIPT=$packages/typescript/node_modules \
-  bounded node --test --test-concurrency=1 --test-timeout=240000 --test-reporter=spec js/*.test.mjs
+  bounded ../node_test.sh 240000 --test-concurrency=1 --test-reporter=spec js/*.test.mjs
 
 # C#, for Unity and others.
 bounded unity/run.sh "$daemon"

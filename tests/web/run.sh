@@ -22,7 +22,7 @@ export HEDGEHOGD HEDGEHOGCTL HEDGEHOG_RACER HEDGEHOG_STUDY HEDGEHOG_DESIGN HEDGE
 if [ "${2-}" = shots ]; then
   exec node "$here/shots.mjs" "${3:?run.sh BUILD shots FOLDER}"
 fi
-run=(node --test --test-concurrency=1 --test-timeout=480000 --test-reporter=tap)
+run=("$root/tests/node_test.sh" 480000 --test-concurrency=1 --test-reporter=tap)
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT

@@ -29,7 +29,7 @@ case ${1-} in
   test)
     counts=$(mktemp)
     trap 'rm -f "$counts"' EXIT
-    node --test "--test-timeout=$timeout_ms" --test-reporter=spec --test-reporter-destination=stdout \
+    "$here/../../node_test.sh" "$timeout_ms" --test-reporter=spec --test-reporter-destination=stdout \
       --test-reporter=tap "--test-reporter-destination=$counts" "--test-name-pattern=${3-.}" "$here/$2.test.mjs"
     # A pattern that matches no name runs nothing, which node reports as a success.
     grep -q '^# pass [1-9]' "$counts" || { echo "run.sh: no test of $2 is named '${3-.}'" >&2; exit 64; }
@@ -39,5 +39,5 @@ esac
 HEDGEHOG_FIRMWARE_COVERAGE=$(mktemp -d)
 export HEDGEHOG_FIRMWARE_COVERAGE
 trap 'rm -rf "$HEDGEHOG_FIRMWARE_COVERAGE"' EXIT
-node --test --test-concurrency=2 "--test-timeout=$timeout_ms" --test-reporter=spec "$here"/*.test.mjs
+"$here/../../node_test.sh" "$timeout_ms" --test-concurrency=2 --test-reporter=spec "$here"/*.test.mjs
 node "$here/coverage.mjs" "$HEDGEHOG_FIRMWARE_ELF" "$HEDGEHOG_FIRMWARE_COVERAGE"

@@ -4,6 +4,7 @@ import { spawn } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
 const reporter = fileURLToPath(new URL('outcomes.mjs', import.meta.url));
+const nodeTest = fileURLToPath(new URL('../../node_test.sh', import.meta.url));
 /** A failed assertion or an exception, in the test itself, in a part of it or in a hook. */
 const kFound = ['testCodeFailure', 'subtestsFailed', 'hookFailed'];
 const literally = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
@@ -20,7 +21,7 @@ export const run = (program, args, env = {}) => new Promise((done) => {
  *  valid}. */
 export async function runTests(files, word, { timeoutMs, env = {} }) {
   // Inside another test, Node would skip these tests.
-  const ended = await run(process.execPath, ['--test', `--test-reporter=${reporter}`, `--test-timeout=${timeoutMs}`, `--test-name-pattern=${literally(word)}`, ...files],
+  const ended = await run(nodeTest, [timeoutMs, `--test-reporter=${reporter}`, `--test-name-pattern=${literally(word)}`, ...files],
     { ...env, NODE_TEST_CONTEXT: undefined });
   const outcomes = ended.output.split('\n').filter((line) => line.startsWith('{"name"')).map((line) => JSON.parse(line));
   const matching = outcomes.filter(({ name }) => name.includes(word));
