@@ -75,9 +75,9 @@ struct TargetsMade {
 TargetsMade make_each(const std::string& targets, const std::string& deadline) {
   const hedgehog::TemporaryFolder folder;
   const std::string stages = folder.path("stages.tsv");
-  const std::string command = "cd " + hedgehog::source_folder() + " && MAKE= HEDGEHOG_STAGES=" +
-                              stages + " HEDGEHOG_DEADLINE=" + deadline +
-                              " cmake/each_target.sh " + targets + " >/dev/null 2>&1";
+  const std::string command =
+      "cd " + hedgehog::source_folder() + " && MAKE= HEDGEHOG_STAGES=" + stages +
+      " HEDGEHOG_DEADLINE=" + deadline + " cmake/each_target.sh " + targets + " >/dev/null 2>&1";
   const int code = WEXITSTATUS(std::system(command.c_str()));
   return {code, folder.read("stages.tsv")};
 }
