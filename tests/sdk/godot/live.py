@@ -162,13 +162,13 @@ class Live(unittest.TestCase):
 
     def test_a_missing_daemon_is_reported_in_a_sentence(self):
         for engine in self.each_engine():
-            lines = self.wait_for(self.scene(engine, "nobody", "127.0.0.1:1"), "this ball is closed")
+            lines = self.wait_for(self.scene(engine, "missing_daemon", "127.0.0.1:1"), "this ball is closed")
             self.assertIn("not_connected the daemon does not run: 127.0.0.1:1: nobody listens there", lines)
             self.assertTrue(any(line.startswith("again not_connected the daemon does not run") for line in lines))
 
     def test_a_name_without_address_is_reported_in_a_sentence(self):
         for engine in self.each_engine():
-            game = self.scene(engine, "nobody", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
+            game = self.scene(engine, "missing_daemon", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
             self.assertIn("not_connected the daemon does not run: unknown.test:7586: its name has no address",
                           self.wait_for(game, "this ball is closed"))
 

@@ -141,7 +141,7 @@ int main(int count, char** arguments) {
     effects(ball);
   } else if (scene == "racer") {
     racer(ball);
-  } else if (scene == "nobody") {
+  } else if (scene == "missing_daemon") {
     print(text(ask(ball, "ping", "").Message));
   } else if (scene == "outage") {
     // Until the process is terminated.

@@ -120,16 +120,16 @@ class Live(unittest.TestCase):
             self.assertIn("connected", self.wait_for(game, "over"))
 
     def test_a_name_without_address_is_reported_in_a_sentence(self):
-        game = self.start("nobody", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
+        game = self.start("missing_daemon", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
         self.assertIn("the daemon does not run: unknown.test:7586: no daemon answers there", self.wait_for(game, "over"))
 
     def test_a_missing_daemon_is_reported_in_a_sentence(self):
-        lines = self.wait_for(self.start("nobody", "127.0.0.1:1"), "over")
+        lines = self.wait_for(self.start("missing_daemon", "127.0.0.1:1"), "over")
         self.assertIn("the daemon does not run: 127.0.0.1:1: no daemon answers there", lines)
 
     def test_an_invalid_address_is_reported_in_a_sentence(self):
         for address in ("host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x"):
-            lines = self.wait_for(self.start("nobody", address), "over")
+            lines = self.wait_for(self.start("missing_daemon", address), "over")
             self.assertTrue(any(line.startswith("'%s' is no address of a daemon: " % address) for line in lines), lines)
 
 
