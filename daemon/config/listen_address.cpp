@@ -22,6 +22,17 @@ Reach reach_of(const std::string& host, bool bracketed) {
   return ntohl(v4.s_addr) >> 24 == 127 ? Reach::kThisMachine : Reach::kOthers;
 }
 
+bool is_v6(const ListenAddress& address) noexcept {
+  return address.host.find(':') != std::string::npos;
+}
+
+/// All addresses of its family.
+bool is_unspecified(const ListenAddress& address) noexcept {
+  if (!is_v6(address)) return address.host == "0.0.0.0";
+  in6_addr v6{};
+  return inet_pton(AF_INET6, address.host.c_str(), &v6) == 1 && IN6_IS_ADDR_UNSPECIFIED(&v6);
+}
+
 }  // namespace
 
 boost::system::result<ListenAddress, AddressError> parse_listen_address(std::string_view text) {
@@ -56,9 +67,15 @@ boost::system::result<ListenAddress, AddressError> parse_listen_address(std::str
 }
 
 std::string to_string(const ListenAddress& address) {
-  const bool v6 = address.host.find(':') != std::string::npos;
-  return (address.tls ? "tls://" : "") + (v6 ? "[" + address.host + "]" : address.host) + ":" +
+  return (address.tls ? "tls://" : "") +
+         (is_v6(address) ? "[" + address.host + "]" : address.host) + ":" +
          std::to_string(address.port);
+}
+
+bool conflict(const ListenAddress& a, const ListenAddress& b) noexcept {
+  if (a.port != b.port || a.port == 0) return false;
+  if (is_v6(a) != is_v6(b)) return false;  // the daemon's IPv6 sockets take no IPv4
+  return a.host == b.host || is_unspecified(a) || is_unspecified(b);
 }
 
 }  // namespace hedgehog::config

@@ -28,10 +28,9 @@ struct AddressError {
 /// The error is a human-readable reason.
 boost::system::result<ListenAddress, AddressError> parse_listen_address(std::string_view text);
 
-/// True if two listeners would conflict.
-inline bool is_same_place(const ListenAddress& a, const ListenAddress& b) noexcept {
-  return a.host == b.host && a.port == b.port;
-}
+/// True if the kernel refuses the second of two listeners: of one port, if one of both has the
+/// other's address or all addresses of its family. Never with port 0.
+bool conflict(const ListenAddress& a, const ListenAddress& b) noexcept;
 
 /// The inverse.
 std::string to_string(const ListenAddress& address);

@@ -162,12 +162,14 @@ class Loader {
     }
     const auto& tcp = config.listen.tcp;
     const auto& http = config.http.listen;
-    if (http && http->port != 0 &&
-        std::any_of(tcp.begin(), tcp.end(),
-                    [&](const ListenAddress& other) { return is_same_place(other, *http); })) {
-      errors_.push_back(error_at(origins_, "http.listen",
-                                 to_string(*http) + " is in listen.tcp too: take another port",
-                                 paths_.config_file));
+    for (const ListenAddress& other : tcp) {
+      if (!http || !conflict(other, *http)) continue;
+      const std::string what =
+          other.host == http->host
+              ? to_string(*http) + " is in listen.tcp too"
+              : to_string(*http) + " and " + to_string(other) + " of listen.tcp overlap";
+      errors_.push_back(
+          error_at(origins_, "http.listen", what + ": take another port", paths_.config_file));
     }
     if (tcp.empty() && socket.empty()) {
       errors_.push_back(error_at(origins_, "listen.tcp",

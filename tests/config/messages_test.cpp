@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Error messages for a person's mistakes: file, line, key, the allowed and the given value.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -106,6 +107,25 @@ TEST(Messages, OneAddressHasOneListener) {
             kFile + ":1: http.listen: 127.0.0.1:7586 is in listen.tcp too: take another port\n");
   EXPECT_EQ(wrong(R"({"http": {"listen": "127.0.0.1:0"}, "listen": {"tcp": ["127.0.0.1:0"]}})"),
             "");
+}
+
+TEST(Messages, ListenersDoNotOverlap) {
+  EXPECT_EQ(wrong(R"({"listen": {"tcp": ["127.0.0.1:7586", "127.0.0.1:7586"]}})"),
+            kFile + ":1: listen.tcp: \"127.0.0.1:7586\" is given twice\n");
+  EXPECT_EQ(wrong(R"({"listen": {"tcp": ["127.0.0.1:7586", "0.0.0.0:7586"]}})"),
+            kFile +
+                ":1: listen.tcp: \"0.0.0.0:7586\" and 127.0.0.1:7586 overlap: name single "
+                "addresses, or take another port\n");
+  EXPECT_EQ(wrong(R"({"listen": {"tcp": ["[::1]:7586", "tls://[0::]:7586"]}})"),
+            kFile +
+                ":1: listen.tcp: \"tls://[0::]:7586\" and [::1]:7586 overlap: name single "
+                "addresses, or take another port\n");
+  EXPECT_THAT(
+      wrong(R"({"http": {"listen": "0.0.0.0:7586"}})"),
+      testing::HasSubstr(kFile + ":1: http.listen: tls://0.0.0.0:7586 and 127.0.0.1:7586 of "
+                                 "listen.tcp overlap: take another port\n"));
+  EXPECT_EQ(wrong(R"({"listen": {"tcp": ["127.0.0.1:7586", "127.0.0.2:7586", "[::1]:7586"]}})"), "")
+      << "other addresses, and the other family";
 }
 
 TEST(Messages, AddressesHaveAFormat) {

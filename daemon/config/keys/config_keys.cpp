@@ -20,11 +20,13 @@ Reason read_addresses(Draft& draft, const Value& value) {
       return must_be(R"(a list of texts such as "127.0.0.1:7586")", element);
     const auto address = parse_listen_address(element.text);
     if (!address) return describe(element) + ": " + address.error().reason;
-    const bool twice = address->port != 0 && std::any_of(addresses.begin(), addresses.end(),
-                                                         [&](const ListenAddress& other) {
-                                                           return is_same_place(other, *address);
-                                                         });
-    if (twice) return describe(element) + " is given twice";
+    for (const ListenAddress& other : addresses) {
+      if (other.host == address->host && conflict(other, *address))
+        return describe(element) + " is given twice";
+      if (conflict(other, *address))
+        return describe(element) + " and " + to_string(other) +
+               " overlap: name single addresses, or take another port";
+    }
     addresses.push_back(*address);
   }
   draft.config.listen.tcp = std::move(addresses);
