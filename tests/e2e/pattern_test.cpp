@@ -188,7 +188,10 @@ TEST_F(Patterns, AnImportedPatternThatIsTooLongIsReported) {
   Program file(home_, hedgehogctl(), {"play", home_.path("long.ahap")},
                {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
   EXPECT_TRUE(file.prints("play"));
-  EXPECT_EQ(other_.call("device.status")["effects"][0]["method"], "effect.play");
+  EXPECT_TRUE(eventually([&] {
+    const Json effects = other_.call("device.status")["effects"];
+    return effects.size() == 1 && effects[0]["method"] == "effect.play";
+  }));
   file.signal(SIGINT);
   EXPECT_EQ(file.wait().exit_code, kInterrupted);
 }

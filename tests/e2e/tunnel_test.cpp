@@ -47,7 +47,7 @@ TEST_F(Tunnel, EachClientHasAConnectionOfItsOwn) {
   EXPECT_THAT(connections.dump(), HasSubstr("\"hedgehogctl tunnel\""));
   hold(first);
   hold(second);
-  EXPECT_EQ(status()["effects"].size(), 2u);
+  EXPECT_TRUE(eventually([&] { return status()["effects"].size() == 2; }));
   first.close();
   EXPECT_TRUE(eventually([&] { return status()["effects"].size() == 1; }));
   EXPECT_TRUE(second.call("ping").contains("time_ns"));
