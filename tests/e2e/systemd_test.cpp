@@ -11,15 +11,19 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/e2e/timeout.h"
 #include "tests/folders.h"
+#include "tests/free_port.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -55,12 +59,13 @@ std::string documented_threshold(const std::string& pattern) {
   return std::regex_search(text, found, std::regex(pattern)) ? found.str(1) + found.str(2) : "";
 }
 
-/// The README's drop-in for clients on other machines.
-std::string documented_drop_in() {
+/// The README's socket unit, for clients on other machines.
+std::string documented_socket() {
   const std::string text = readme();
   std::smatch found;
-  const std::regex block("\\n    (\\[Service\\]\\n)    (IPAddressAllow=.*\\n)");
-  return std::regex_search(text, found, block) ? found.str(1) + found.str(2) : "";
+  const std::regex block("\\n((    .*\\n|\\n)*    \\[Socket\\]\\n(    .*\\n|\\n)*)");
+  if (!std::regex_search(text, found, block)) return "";
+  return std::regex_replace(found.str(1), std::regex("(^|\\n)    "), "$1");
 }
 
 class Unit : public testing::TestWithParam<const char*> {
@@ -109,24 +114,17 @@ INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
                            return name.find('@') == std::string::npos ? "Single" : "Instance";
                          });
 
-class DaemonUnit : public Unit {};
-
-TEST_P(DaemonUnit, IsHardenedForRemoteAccess) {
-  home_.write("units/"s + GetParam() + ".d/override.conf", documented_drop_in());
-  const std::string threshold = documented_threshold("(\\d)\\.(\\d) with the drop-in");
-  const std::string unit = installed();
+TEST(SocketUnit, HasOnlyKeysThatSystemdSupports) {
+  const Home home;
+  const std::string unit = documented_socket();
+  ASSERT_THAT(unit, HasSubstr("[Socket]\nListenStream=192.168.7.5:7586\n"));
+  home.write("units/hedgehogd.socket", unit);
+  home.write("units/hedgehogd.service", "[Service]\nExecStart=" + hedgehogd() + "\n");
   const Output output =
-      run("systemd-analyze security --offline=yes --threshold=" + threshold + " " + unit);
-  EXPECT_EQ(output.exit_code, 0) << output.text;
-  EXPECT_THAT(output.text, HasSubstr("allow list with non-localhost entries"));
-  EXPECT_EQ(run("systemd-analyze verify --man=no " + unit).text, "");
+      run("systemd-analyze verify --man=no " + home.path("units/hedgehogd.socket"));
+  EXPECT_EQ(output.text, "");
+  EXPECT_EQ(output.exit_code, 0);
 }
-
-INSTANTIATE_TEST_SUITE_P(Systemd, DaemonUnit,
-                         testing::Values("hedgehogd.service", "hedgehogd@.service"),
-                         [](const auto& unit) {
-                           return unit.param == "hedgehogd.service"s ? "Single" : "Instance";
-                         });
 
 /// systemd's side of sd_notify.
 class NotifySocket {
@@ -170,6 +168,44 @@ TEST(Systemd, IsNotifiedOfReadinessStatusReloadsWatchdogAndTheEnd) {
   EXPECT_NE(systemd.wait_for("READY=1"), "");
   daemon.signal(SIGTERM);
   EXPECT_NE(systemd.wait_for("STOPPING=1"), "");
+}
+
+class OpenedBySystemd : public testing::Test {
+ protected:
+  OpenedBySystemd() {
+    std::vector<std::string> words{"--listen=" + address(used_), "--listen=" + address(unused_)};
+    for (const std::string& variable : home_.environment()) words.push_back("--setenv=" + variable);
+    words.insert(words.end(),
+                 {hedgehogd(), "--simulate", "--speed", "1", "--listen", address(used_)});
+    systemd_.emplace(home_, "/usr/bin/systemd-socket-activate", words);
+  }
+  static std::string address(int port) { return "127.0.0.1:" + std::to_string(port); }
+  bool logs(const std::string& text) {
+    return wait_until([&] { return systemd_->err().find(text) != std::string::npos; });
+  }
+
+  const Home home_;
+  const int used_ = free_port();
+  const int unused_ = free_port();
+  std::optional<Program> systemd_;
+};
+
+TEST_F(OpenedBySystemd, AListenerOfTheConfigurationIsUsed) {
+  ASSERT_TRUE(logs("Listening on " + address(unused_))) << systemd_->err();
+  RawClient client(used_);  // for which systemd starts the daemon
+  EXPECT_EQ(client.call("device.status")["state"], "armed");
+  EXPECT_TRUE(systemd_->prints("listening on " + address(used_) + "\n"));
+  systemd_->signal(SIGTERM);
+  EXPECT_EQ(systemd_->wait().exit_code, 0);
+}
+
+TEST_F(OpenedBySystemd, AnotherListenerIsClosedWithAWarning) {
+  ASSERT_TRUE(logs("Listening on " + address(unused_))) << systemd_->err();
+  RawClient client(unused_);
+  EXPECT_TRUE(client.closed_by_daemon());
+  EXPECT_TRUE(logs(address(unused_) +
+                   ": a socket unit of systemd listens there, but the configuration does not"))
+      << systemd_->err();
 }
 
 }  // namespace

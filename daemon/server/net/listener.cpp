@@ -89,14 +89,16 @@ Listener::Listener(asio::io_context& io, const config::Config& config)
 Listener::~Listener() { remove_own_socket(unix_path_, unix_inode_); }
 
 void Listener::open(const config::Config& config) {
+  InheritedSockets inherited;
   for (const config::ListenAddress& address : config.listen.tcp) {
-    if (auto listener = open_tcp(address, "--listen")) {
+    if (auto listener = open_tcp(address, inherited, "--listen")) {
       addresses_.push_back((address.tls ? "tls://" : "") +
                            text(listener->acceptor.local_endpoint()));
       tcp_.push_back(*std::move(listener));
     }
   }
-  if (config.http.listen) http_ = open_tcp(*config.http.listen, "http.listen in the configuration");
+  if (config.http.listen)
+    http_ = open_tcp(*config.http.listen, inherited, "http.listen in the configuration");
   if (http_) {
     addresses_.push_back((http_->tls ? "https://" : "http://") +
                          text(http_->acceptor.local_endpoint()));
@@ -106,10 +108,11 @@ void Listener::open(const config::Config& config) {
 }
 
 std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddress& wanted,
+                                                        InheritedSockets& inherited,
                                                         const char* remedy) {
   if (wanted.tls && tls_ == nullptr)
     throw std::runtime_error(config::to_string(wanted) + ": refused: there is no certificate");
-  auto acceptor = open_acceptor(io_, wanted, remedy);
+  auto acceptor = open_acceptor(io_, wanted, inherited, remedy);
   if (!acceptor) return std::nullopt;
   return TcpListener{*std::move(acceptor), wanted.tls};
 }

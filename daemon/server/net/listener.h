@@ -18,6 +18,7 @@
 #include "daemon/config/config.h"
 #include "daemon/server/net/connection.h"
 #include "daemon/server/net/http/http_connection.h"
+#include "daemon/server/net/inherited_sockets.h"
 #include "daemon/server/net/line_connection.h"
 #include "daemon/server/rpc/server.h"
 
@@ -29,8 +30,8 @@ class Listener {
   Listener(boost::asio::io_context& io, const config::Config& config);
   ~Listener();
 
-  /// Opens every address of `listen` and `http`. Throws std::runtime_error with a sentence for
-  /// display.
+  /// Opens every address of `listen` and `http`, or takes the socket that systemd has opened for
+  /// it. Throws std::runtime_error with a sentence for display.
   void open(const config::Config& config);
   /// Endpoints: "127.0.0.1:7586", "tls://192.0.2.7:7586", "http://127.0.0.1:7587",
   /// "https://192.0.2.7:7587", "/run/hedgehog/hedgehogd.sock".
@@ -51,7 +52,8 @@ class Listener {
     bool tls;
   };
   /// nullopt: this machine has no IPv6.
-  std::optional<TcpListener> open_tcp(const config::ListenAddress& address, const char* remedy);
+  std::optional<TcpListener> open_tcp(const config::ListenAddress& address,
+                                      InheritedSockets& inherited, const char* remedy);
   void open_unix(const std::string& path, const access::UnixRoles& roles);
   template <class AnyAcceptor, class OnAccept>
   boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept on_accept);

@@ -11,6 +11,7 @@ namespace hedgehog::server {
 
 std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_context& io,
                                                             const config::ListenAddress& wanted,
+                                                            InheritedSockets& inherited,
                                                             const char* remedy) {
   namespace asio = boost::asio;
   const std::string name = config::to_string(wanted);
@@ -21,6 +22,11 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
     throw std::runtime_error(name + ": refused: other machines could reach it without TLS");
   asio::ip::tcp::acceptor acceptor(io);
   const asio::ip::tcp::endpoint endpoint(address, wanted.port);
+  if (const int descriptor = inherited.take(endpoint); descriptor >= 0) {
+    acceptor.assign(endpoint.protocol(), descriptor, ec);
+    if (ec) throw std::runtime_error(name + ": " + ec.message());
+    return acceptor;
+  }
   acceptor.open(endpoint.protocol(), ec);
   if (address.is_v6() && (ec == asio::error::address_family_not_supported)) {
     spdlog::warn("{}: this machine has no IPv6; left out", name);
