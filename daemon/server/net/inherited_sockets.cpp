@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "daemon/config/listen_address.h"
+#include "daemon/server/net/tcp_acceptor.h"
 
 namespace hedgehog::server {
 namespace {
@@ -50,7 +50,7 @@ InheritedSockets::~InheritedSockets() {
     spdlog::warn(
         "{}: a socket unit of systemd listens there, but the configuration does not; add it to "
         "listen.tcp",
-        config::to_string({endpoint.address().to_string(), endpoint.port()}));
+        endpoint_text(endpoint));
     ::close(descriptor);
   }
 }

@@ -47,10 +47,6 @@ std::size_t places(const Session& session, std::size_t max) {
   return max + (unix || page ? kMorePages : 0u) + (unix ? kMoreOnUnix : 0u);
 }
 
-std::string text(const Tcp::endpoint& endpoint) {
-  return config::to_string({endpoint.address().to_string(), endpoint.port()});
-}
-
 /// Reset before it was accepted: there is no client. One that has only closed may have sent a
 /// request before.
 bool is_reset(const Tcp::socket& socket) {
@@ -66,7 +62,7 @@ Session session_of(Tcp::socket& socket) {
   Session session;
   session.transport = "tcp";
   const Tcp::endpoint peer = socket.remote_endpoint(ignored);
-  session.address = text(peer);
+  session.address = endpoint_text(peer);
   return session;
 }
 
@@ -93,7 +89,7 @@ void Listener::open(const config::Config& config) {
   for (const config::ListenAddress& address : config.listen.tcp) {
     if (auto listener = open_tcp(address, inherited, "--listen")) {
       addresses_.push_back((address.tls ? "tls://" : "") +
-                           text(listener->acceptor.local_endpoint()));
+                           endpoint_text(listener->acceptor.local_endpoint()));
       tcp_.push_back(*std::move(listener));
     }
   }
@@ -101,7 +97,7 @@ void Listener::open(const config::Config& config) {
     http_ = open_tcp(*config.http.listen, inherited, "http.listen in the configuration");
   if (http_) {
     addresses_.push_back((http_->tls ? "https://" : "http://") +
-                         text(http_->acceptor.local_endpoint()));
+                         endpoint_text(http_->acceptor.local_endpoint()));
   }
   if (!config.listen.unix_socket.empty())
     open_unix(config.listen.unix_socket, config.access.unix_roles);
@@ -240,7 +236,7 @@ void Listener::start_http(Tcp::socket socket) {
 
 HalfOpen::Ticket Listener::half_open(Tcp::socket& socket) {
   error_code ignored;
-  return half_open_->enter(socket.native_handle(), text(socket.remote_endpoint(ignored)));
+  return half_open_->enter(socket.native_handle(), endpoint_text(socket.remote_endpoint(ignored)));
 }
 
 asio::awaitable<void> Listener::start_tls_session(Tcp::socket socket) {

@@ -50,4 +50,8 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
   return acceptor;
 }
 
+std::string endpoint_text(const boost::asio::ip::tcp::endpoint& endpoint) {
+  return config::to_string({endpoint.address().to_string(), endpoint.port()});
+}
+
 }  // namespace hedgehog::server

@@ -5,6 +5,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <optional>
+#include <string>
 
 #include "daemon/config/listen_address.h"
 #include "daemon/server/net/inherited_sockets.h"
@@ -18,5 +19,8 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
                                                             const config::ListenAddress& wanted,
                                                             InheritedSockets& inherited,
                                                             const char* remedy);
+
+/// As in the configuration: "127.0.0.1:7586", "[::1]:7586".
+std::string endpoint_text(const boost::asio::ip::tcp::endpoint& endpoint);
 
 }  // namespace hedgehog::server
