@@ -92,7 +92,7 @@ class Connection {
   std::optional<Notification> notification();
 
   /// For poll(2) in a loop that also waits for other sources: when it is readable, call `next` with
-  /// patience 0 until it returns nothing. -1 once the connection is closed.
+  /// timeout 0 until it returns nothing. -1 once the connection is closed.
   int descriptor() const noexcept { return socket_.descriptor(); }
   const Address& address() const noexcept { return address_; }
 

@@ -100,7 +100,7 @@ TEST(Drift, AWarmWindingIsDetectedByItsResistance) {
   EXPECT_THAT(drift_of(first, second).what, HasSubstr("winding x has warmed by 2.0 K"));
 }
 
-TEST(Drift, MinutesAreRoundedToIntegers) {
+TEST(Drift, MinutesAreRoundedUp) {
   EXPECT_EQ(minutes_text(5.0), "1 minute");
   EXPECT_EQ(minutes_text(61.0), "2 minutes");
 }

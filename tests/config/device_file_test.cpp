@@ -102,7 +102,7 @@ TEST(DeviceFile, WrongValuesAreNamed) {
             kDeviceFile + ":1: resistance_ohm: unknown key\n");
 }
 
-TEST(DeviceFile, AnImpossibleGeometryNamesTheWrongKey) {
+TEST(DeviceFile, AnImpossibleGeometryNamesTheInvalidKey) {
   EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 72}"),
             kDeviceFile + ":3: front_pin: there is no pin 72 to be the front\n");
   EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 0}"),

@@ -76,7 +76,7 @@ TEST(EstimateCheck, AResistanceThatFallsWhileTheWindingIsHeatedNamesBoth) {
   EXPECT_LT(ticks, 1000);
 }
 
-TEST(EstimateCheck, ADetachedThermistorIsNamed) {
+TEST(EstimateCheck, ADeviatingThermistorIsNamed) {
   Followed ball(30.0);
   for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none");
   ball.show(2, 50.0);

@@ -160,7 +160,7 @@ TEST_F(MixerTest, AShortTimedEffectMayPlayOutAfterItsConnection) {
   expect_end(effect, EndReason::kCompleted, 3000);
 }
 
-TEST_F(MixerTest, AShortTimedEffectMayPlayOutEvenIfItStartsAfterItsConnection) {
+TEST_F(MixerTest, AShortTimedEffectMayPlayOutEvenIfItStartsAfterItsConnectionEnded) {
   stop(1, EndReason::kDisconnected);
   auto spec = pulse({1, 0, 0}, 5, 150);
   spec.finish_on_close = true;

@@ -60,7 +60,7 @@ TEST(Watchdog, AHealthyBallAtRestIsNoFault) {
   EXPECT_EQ(ball.watchdog.arming_blocker(), Reason::kNone);
 }
 
-TEST(Watchdog, ADisarmedBallTripsOnlyByHeatAndUnexpectedCurrent) {
+TEST(Watchdog, ADisarmedBallTripsOnlyByHeatStuckBridgeAndUnexpectedCurrent) {
   const auto reason_of = [](std::uint16_t faults, bool armed) {
     Watched ball;
     ball.armed = armed;

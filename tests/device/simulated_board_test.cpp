@@ -242,7 +242,7 @@ TEST_F(Together, FifteenAmperesWithoutALimiterHitTheBoardsOwnLimits) {
   expect_zero_soon();
 }
 
-TEST_F(Together, EvenWithAFrozenSensorTheBoardLimitsTheCurrent) {
+TEST_F(Together, EvenWithAFrozenSensorTheBoardStopsAtItsHeatBudget) {
   run(100);
   fault(kSimSensorFrozen);
   requested = {15, 0, 0};

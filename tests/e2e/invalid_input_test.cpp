@@ -21,7 +21,7 @@ struct ShortTimeoutHome : Home {
 };
 
 /// One daemon for all tests; beside each client that sends garbage a game keeps playing.
-class Garbage : public testing::Test {
+class InvalidInput : public testing::Test {
  protected:
   void SetUp() override {
     game_.call("events.subscribe", {{"types", {"effect_started", "effect_ended"}}});
@@ -58,27 +58,27 @@ class Garbage : public testing::Test {
   Json effect_;
 };
 
-TEST_F(Garbage, ALineOf64KiBIsServedAndALongerOneIsNot) {
+TEST_F(InvalidInput, ALineOf64KiBIsServedAndALongerOneIsNot) {
   EXPECT_EQ(code(padded_ping(kMaxLine)), 0);
   EXPECT_EQ(code(padded_ping(kMaxLine) + "\r"), 0);
   EXPECT_EQ(code(padded_ping(kMaxLine + 1)), -32700);
   expect_alive();
 }
 
-TEST_F(Garbage, AMegabyteWithoutALineEndIsOneError) {
+TEST_F(InvalidInput, AMegabyteWithoutALineEndIsOneError) {
   EXPECT_TRUE(client_.send("{" + std::string(1 << 20, 'x')));
   EXPECT_EQ(client_.response()["error"]["code"], -32700);
   EXPECT_TRUE(client_.send("\n"));
   expect_alive();
 }
 
-TEST_F(Garbage, HalfALineIsDiscardedWithItsConnection) {
+TEST_F(InvalidInput, HalfALineIsDiscardedWithItsConnection) {
   EXPECT_TRUE(client_.send(R"({"jsonrpc":"2.0","id":1,"method":"pi)"));
   client_.half_close();
   EXPECT_TRUE(client_.closed_by_daemon());
 }
 
-TEST_F(Garbage, InvalidJsonIsAParseError) {
+TEST_F(InvalidInput, InvalidJsonIsAParseError) {
   EXPECT_EQ(code("{"), -32700);
   EXPECT_EQ(code(""), -32700);
   EXPECT_EQ(code("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"\xff\xfe\"}"), -32700);
@@ -92,7 +92,7 @@ TEST_F(Garbage, InvalidJsonIsAParseError) {
   expect_alive();
 }
 
-TEST_F(Garbage, JsonThatIsNoRequestIsInvalid) {
+TEST_F(InvalidInput, JsonThatIsNoRequestIsInvalid) {
   EXPECT_EQ(code("{}"), -32600);
   EXPECT_EQ(code("[]"), -32600);
   EXPECT_EQ(code("[" +
@@ -113,7 +113,7 @@ TEST_F(Garbage, JsonThatIsNoRequestIsInvalid) {
   expect_alive();
 }
 
-TEST_F(Garbage, AMixedBatchIsAnsweredInOrder) {
+TEST_F(InvalidInput, AMixedBatchIsAnsweredInOrder) {
   EXPECT_TRUE(client_.send(
       R"([{"jsonrpc":"2.0","id":1,"method":"ping"},7,{"jsonrpc":"2.0","method":"no.such"},)"
       R"({"jsonrpc":"2.0","id":2,"method":"no.such"},{"jsonrpc":"2.0","id":3,)"
@@ -130,7 +130,7 @@ TEST_F(Garbage, AMixedBatchIsAnsweredInOrder) {
   EXPECT_EQ(responses[4]["id"], 4);
 }
 
-TEST_F(Garbage, AHttpRequestIsRejected) {
+TEST_F(InvalidInput, AHttpRequestIsRejected) {
   RawClient browser(daemon_.port());
   browser.send(
       "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 60\r\n\r\n"
@@ -140,7 +140,7 @@ TEST_F(Garbage, AHttpRequestIsRejected) {
   EXPECT_EQ(game_.call("device.status")["state"], "armed");
 }
 
-TEST_F(Garbage, AFloodWithoutReadingIsDisconnectedAndItsEffectsEnd) {
+TEST_F(InvalidInput, AFloodWithoutReadingIsDisconnectedAndItsEffectsEnd) {
   RawClient watcher(daemon_.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   RawClient flood(daemon_.port());

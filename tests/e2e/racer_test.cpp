@@ -149,7 +149,7 @@ TEST(Racer, ContinuesWithoutADaemonAndPlaysAgainWhenItReturns) {
   EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, -1, 0}), 5.0);
 }
 
-TEST(Racer, ABallOfLowGainIsPlayedSoftly) {
+TEST(Racer, ABallOfALowCurrentLimitIsPlayedSoftly) {
   const Home home;
   home.configure(R"({"limits": {"current_a": 1.5}})");
   DaemonProcess daemon(home);

@@ -133,7 +133,7 @@ TEST_F(Study, ADamagedJournalIsNoUnfinishedRun) {
   EXPECT_EQ(home_.read("th/journal/P01.quick.1.jsonl"), text);
 }
 
-TEST_F(Study, ParticipantsAreNotConfused) {
+TEST_F(Study, AmbiguousParticipantsAndRepeatedExperimentsAreRefused) {
   plan("th", "2", quick_path());
   const Ended other = study({"run", "quick", "--participant", "P-01", "--simulated"});
   EXPECT_EQ(other.exit_code, 64);

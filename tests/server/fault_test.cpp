@@ -222,7 +222,7 @@ TEST(Faults, ADelayedResponseReachesAHalfClosedClient) {
   EXPECT_EQ(rig.server->connections(), 0u);
 }
 
-TEST(Faults, ARequestOfADisconnectedClientIsDropped) {
+TEST(Faults, TheResponseToADisconnectedClientIsDropped) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
   rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");

@@ -177,7 +177,7 @@ TEST(History, IgnoresForeignLines) {
   EXPECT_EQ(events[0].recording, std::nullopt);
 }
 
-TEST(History, AFullOrFailingDiskIsRetried) {
+TEST(History, AFullDiskQueueOrAFailingDiskIsRetried) {
   std::vector<std::string> requested;
   EventHistory history(
       [&](HistoryPart, const std::string& lines, bool) {
@@ -197,7 +197,7 @@ TEST(History, AFullOrFailingDiskIsRetried) {
   EXPECT_EQ(requested[2], requested[1]);
 }
 
-TEST(History, PendingLinesOfAFullDiskAreBounded) {
+TEST(History, PendingLinesOfAFullDiskQueueAreBounded) {
   Disk disk;
   bool capacity = false;
   EventHistory history(

@@ -30,7 +30,7 @@ TEST(Patterns, ArePutReadReplacedPlayedAndRemoved) {
   EXPECT_GT(rig.plant_current_a(), 2.0) << "what plays is not touched";
 }
 
-TEST(Patterns, ShippedAndReservedNamesAreRefused) {
+TEST(Patterns, ShippedAndInvalidNamesAreRefused) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   for (const char* name : {"tick", "mine", "Acme/knock", "acme/", "/x", "a/b/c", "../x", "a/..b"}) {

@@ -97,7 +97,7 @@ TEST(BootTime, IsOfThisBootAndIncreases) {
   EXPECT_EQ(seconds_between(second, {first.boot_id, 0.0}), 0.0);
 }
 
-TEST(StartState, AMissingOrDamagedFileIsUnknown) {
+TEST(StartState, WithAMissingOrDamagedFileTheHeatOfARealBallIsUnknown) {
   config::Config real;
   real.backend = config::Backend::kUsb;
   EXPECT_FALSE(daemon::start_state(real, std::nullopt, BootTime{}).settings.start_known);

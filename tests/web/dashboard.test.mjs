@@ -143,7 +143,7 @@ test("turning the simulated ball turns the daemon's orientation", async () => {
   assert.ok(Math.abs(Math.abs(turned.z) - Math.sin(Math.PI / 8)) < 0.01, JSON.stringify(turned));
 });
 
-test("the end of a daemon is reported with its reason, and the page reconnects", async () => {
+test("the end and the silence of a daemon are reported, and the page reconnects", async () => {
   await keepAddress();
   await open();
   pageErrors.expected = true;

@@ -30,7 +30,7 @@ const showUp = async () => {
 /** Polls the daemon, which has no event for this. */
 const shows = () => daemon.call("device.status").then(({ effects }) => effects.some(({ slot }) => slot === "up"));
 
-test("a push that another client ends is shown as ended with its reason", async () => {
+test("a push that a stop or a trip ends is shown as ended with its reason", async () => {
   await open("/orientation.html");
   await showUp();
   await daemon.call("device.emergency_stop");

@@ -33,7 +33,7 @@ test("the race is drawn by WebGL 2, and the built-in driver's car moves", async 
   await until(() => /^(Landing|Skidding|Hit): .*, \d+ %$/.test(document.getElementById("felt").textContent));
 });
 
-test("keys drive, release, pause and reset the car", async () => {
+test("keys drive, pause and reset the car, and released keys stop driving it", async () => {
   await startRacer();
   await open();
   const start = await at();
@@ -128,7 +128,7 @@ test("tilting the simulated ball steers and drives", async () => {
   await until(() => window.racer.scene().mode === "keyboard" && window.racer.scene().steer > 0.5);
 });
 
-test("the end of a game is reported with its reason, and the page reconnects", async () => {
+test("the end and the silence of a game are reported, and the page reconnects", async () => {
   await startRacer({ more: ["--driver"] });
   await keepAddress();
   await open();

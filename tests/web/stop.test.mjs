@@ -43,7 +43,7 @@ const inSight = (selector) => page.evaluate((which) => {
 }, selector);
 
 for (const [path, device, where] of [["/", kDesktop, "a desk"], ["/", kPhone, "a phone"], ["/orientation.html", kPhone, "the orientation page"]]) {
-  test(`a daemon that hangs does not confirm the stop: shown on ${where}, until it has stopped after all`, async () => {
+  test(`a daemon that hangs does not confirm the stop: the warning is in sight on ${where}, until it has stopped after all`, async () => {
     await open(path, device);
     pageErrors.expected = true;
     daemon.process.kill("SIGSTOP");
