@@ -25,7 +25,14 @@ for target in "$@"; do
     continue
   fi
   log=$(mktemp)
-  if ! "${MAKE:-make}" "${words[@]}" 2>&1 | tee "$log"; then
+  exec {output}> >(exec tee "$log")
+  copier=$!
+  result=0
+  "${MAKE:-make}" "${words[@]}" >&"$output" 2>&1 {output}>&- || result=1
+  exec {output}>&-
+  # Not for ever: what a test leaves running keeps the output open.
+  timeout 5 tail --pid="$copier" -f /dev/null || true
+  if [ "$result" -ne 0 ]; then
     code=1
     record red "$target"
     { printf '\n%s, its last lines:\n' "$target"; tail -n 40 "$log"; } >>"$stages.failed"

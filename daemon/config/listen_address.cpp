@@ -4,6 +4,7 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace hedgehog::config {
@@ -28,9 +29,15 @@ bool is_v6(const ListenAddress& address) noexcept {
 
 /// All addresses of its family.
 bool is_unspecified(const ListenAddress& address) noexcept {
-  if (!is_v6(address)) return address.host == "0.0.0.0";
+  return address.host == "0.0.0.0" || address.host == "::";
+}
+
+/// The shortest form, "::1" of "0::1": one address has one text.
+std::string shortest_v6(const std::string& host) {
   in6_addr v6{};
-  return inet_pton(AF_INET6, address.host.c_str(), &v6) == 1 && IN6_IS_ADDR_UNSPECIFIED(&v6);
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  inet_pton(AF_INET6, host.c_str(), &v6);
+  return inet_ntop(AF_INET6, &v6, text.data(), text.size());
 }
 
 }  // namespace
@@ -54,7 +61,9 @@ boost::system::result<ListenAddress, AddressError> parse_listen_address(std::str
   if (error != std::errc() || end != digits.data() + digits.size()) return shape;
   // inet_pton ignores everything after an embedded NUL.
   if (std::find(host.begin(), host.end(), '\0') != host.end()) return shape;
-  switch (reach_of(address.host, bracketed)) {
+  const Reach reach = reach_of(address.host, bracketed);
+  if (reach != Reach::kNotAnAddress && bracketed) address.host = shortest_v6(address.host);
+  switch (reach) {
     case Reach::kNotAnAddress:
       return shape;
     case Reach::kOthers:

@@ -11,7 +11,7 @@
 namespace hedgehog::config {
 
 struct ListenAddress {
-  /// A numeric IPv4 or IPv6 address, the latter without brackets.
+  /// A numeric IPv4 or IPv6 address, the latter in its shortest form and without brackets.
   std::string host;
   /// 0: any free port, printed when bound.
   std::uint16_t port = 0;

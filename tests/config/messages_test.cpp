@@ -116,6 +116,8 @@ TEST(Messages, ListenersDoNotOverlap) {
             kFile +
                 ":1: listen.tcp: \"0.0.0.0:7586\" and 127.0.0.1:7586 overlap: name single "
                 "addresses, or take another port\n");
+  EXPECT_EQ(wrong(R"({"listen": {"tcp": ["[::1]:7586", "[0::1]:7586"]}})"),
+            kFile + ":1: listen.tcp: \"[0::1]:7586\" is given twice\n");
   EXPECT_EQ(wrong(R"({"listen": {"tcp": ["[::1]:7586", "tls://[0::]:7586"]}})"),
             kFile +
                 ":1: listen.tcp: \"tls://[0::]:7586\" and [::1]:7586 overlap: name single "

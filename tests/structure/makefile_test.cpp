@@ -66,20 +66,24 @@ TEST(Pages, AreRebuiltWhenTheirSourcesChange) {
   }
 }
 
-/// How cmake/each_target.sh ended, and the file of stages that it wrote.
+/// How cmake/each_target.sh ended, what it printed, and the files that it wrote.
 struct TargetsMade {
   int code = 0;
+  std::string printed;
   std::string stages;
+  std::string failed;
 };
 
 TargetsMade make_each(const std::string& targets, const std::string& deadline) {
   const hedgehog::TemporaryFolder folder;
   const std::string stages = folder.path("stages.tsv");
-  const std::string command =
-      "cd " + hedgehog::source_folder() + " && MAKE= HEDGEHOG_STAGES=" + stages +
-      " HEDGEHOG_DEADLINE=" + deadline + " cmake/each_target.sh " + targets + " >/dev/null 2>&1";
+  const std::string command = "cd " + hedgehog::source_folder() +
+                              " && MAKE= HEDGEHOG_STAGES=" + stages +
+                              " HEDGEHOG_DEADLINE=" + deadline + " cmake/each_target.sh " +
+                              targets + " >" + folder.path("printed") + " 2>&1";
   const int code = WEXITSTATUS(std::system(command.c_str()));
-  return {code, folder.read("stages.tsv")};
+  return {code, folder.read("printed"), folder.read("stages.tsv"),
+          folder.read("stages.tsv.failed")};
 }
 
 TEST(Stages, BeginOnlyBeforeTheDeadline) {
@@ -99,6 +103,10 @@ TEST(Stages, ThatFailAreNamedAndTheOthersMade) {
   const TargetsMade made = make_each("no-such-target 'help JOBS=1' neither-this", "");
   EXPECT_EQ(made.code, 1);
   EXPECT_EQ(made.stages, "red\tno-such-target\nred\tneither-this\n");
+  EXPECT_THAT(made.printed, HasSubstr("make demo"));
+  EXPECT_THAT(made.failed, HasSubstr("no-such-target, its last lines:"));
+  EXPECT_THAT(made.failed, HasSubstr("No rule to make target 'neither-this'"));
+  EXPECT_THAT(made.failed, Not(HasSubstr("make demo")));
 }
 
 }  // namespace

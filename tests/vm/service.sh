@@ -172,9 +172,17 @@ kill -KILL "$process"
 eventually from_afar 60000 status
 [ "$(property MainPID)" != "$process" ] || fail "it was not started again"
 systemctl stop hedgehogd
-are hedgehogd.socket ActiveState=inactive
+eventually is ActiveState inactive hedgehogd.socket
 ! from_afar 3000 status >/tmp/out 2>&1 || fail "a client has started the stopped service"
 are hedgehogd ActiveState=inactive
+systemctl start hedgehogd
+eventually from_afar 60000 status
+echo '{ "nonsense": 1 }' >/etc/hedgehog/hedgehogd.json
+systemctl restart hedgehogd 2>/dev/null && fail "it starts with nonsense"
+eventually is ActiveState inactive hedgehogd.socket
+! from_afar 3000 status >/tmp/out 2>&1 || fail "a client has started the failed service"
+are hedgehogd ActiveState=failed ExecMainStatus=78 NRestarts=0
+systemctl reset-failed hedgehogd
 systemctl disable --quiet hedgehogd.socket
 rm /etc/systemd/system/hedgehogd.socket
 systemctl daemon-reload

@@ -49,7 +49,7 @@ InheritedSockets::~InheritedSockets() {
   for (const auto& [endpoint, descriptor] : sockets_) {
     spdlog::warn(
         "{}: a socket unit of systemd listens there, but the configuration does not; add it to "
-        "listen.tcp",
+        "listen.tcp or http.listen",
         endpoint_text(endpoint));
     ::close(descriptor);
   }

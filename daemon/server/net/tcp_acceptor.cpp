@@ -24,7 +24,14 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
   const asio::ip::tcp::endpoint endpoint(address, wanted.port);
   if (const int descriptor = inherited.take(endpoint); descriptor >= 0) {
     acceptor.assign(endpoint.protocol(), descriptor, ec);
+    asio::ip::v6_only v6_only(true);
+    if (!ec && address.is_v6()) acceptor.get_option(v6_only, ec);
     if (ec) throw std::runtime_error(name + ": " + ec.message());
+    if (!v6_only) {
+      throw std::runtime_error(name +
+                               ": systemd's socket takes IPv4, too; add BindIPv6Only=ipv6-only to "
+                               "its socket unit");
+    }
     return acceptor;
   }
   acceptor.open(endpoint.protocol(), ec);
