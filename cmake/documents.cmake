@@ -5,6 +5,7 @@
 # Place in the tree, name in the folder.
 set(documents
     README.md README.md
+    CHANGELOG.md CHANGELOG.md
     SECURITY.md security.md
     config/README.md configuration.md
     config/monitoring/README.md monitoring.md
