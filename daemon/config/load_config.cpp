@@ -170,6 +170,7 @@ class Loader {
               : to_string(*http) + " and " + to_string(other) + " of listen.tcp overlap";
       errors_.push_back(
           error_at(origins_, "http.listen", what + ": take another port", paths_.config_file));
+      break;
     }
     if (tcp.empty() && socket.empty()) {
       errors_.push_back(error_at(origins_, "listen.tcp",

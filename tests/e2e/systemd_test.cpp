@@ -22,6 +22,7 @@
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/e2e/timeout.h"
+#include "tests/e2e/tls_fixture.h"
 #include "tests/folders.h"
 #include "tests/free_port.h"
 
@@ -206,6 +207,25 @@ TEST_F(OpenedBySystemd, AnotherListenerIsClosedWithAWarning) {
   EXPECT_TRUE(logs(address(unused_) +
                    ": a socket unit of systemd listens there, but the configuration does not"))
       << systemd_->err();
+}
+
+class SocketOfBothFamilies : public TlsFixture {};
+
+TEST_F(SocketOfBothFamilies, IsRefusedWithTheRemedy) {
+  const int port = free_port();
+  const std::string address = "[::]:" + std::to_string(port);
+  std::vector<std::string> words{"--listen=" + address};
+  for (const std::string& variable : home_.environment()) words.push_back("--setenv=" + variable);
+  words.insert(words.end(), {hedgehogd(), "--simulate", "--listen", address});
+  Program systemd(home_, "/usr/bin/systemd-socket-activate", words);
+  const std::string listening = "Listening on " + address;
+  wait_until([&] { return systemd.err().find("isten") != std::string::npos; });
+  if (systemd.err().find(listening) == std::string::npos)
+    GTEST_SKIP() << "this machine has no IPv6: " << systemd.err();
+  RawClient by_ipv4(port);
+  const Ended ended = systemd.wait();
+  EXPECT_NE(ended.exit_code, 0);
+  EXPECT_THAT(ended.err, HasSubstr("systemd's socket takes IPv4, too"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(BallWarning, R25ThatHasChangedSinceAnEarlierStartIsReportedOnce) {
             0u)
       << sentences[0];
   now.r25_ohm[1] = 0.419;
-  EXPECT_TRUE(new_warnings().empty()) << "this start's has been told";
+  EXPECT_TRUE(new_warnings().empty()) << "this start's was reported already";
 }
 
 TEST_F(BallWarning, R25ThatDriftedFromTheDeviceFileIsReported) {

@@ -21,11 +21,10 @@ Reason read_addresses(Draft& draft, const Value& value) {
     const auto address = parse_listen_address(element.text);
     if (!address) return describe(element) + ": " + address.error().reason;
     for (const ListenAddress& other : addresses) {
-      if (other.host == address->host && conflict(other, *address))
-        return describe(element) + " is given twice";
-      if (conflict(other, *address))
-        return describe(element) + " and " + to_string(other) +
-               " overlap: name single addresses, or take another port";
+      if (!conflict(other, *address)) continue;
+      if (other.host == address->host) return describe(element) + " is given twice";
+      return describe(element) + " and " + to_string(other) +
+             " overlap: name single addresses, or take another port";
     }
     addresses.push_back(*address);
   }

@@ -30,8 +30,8 @@ std::optional<Tcp::endpoint> endpoint_of(int descriptor) {
 }  // namespace
 
 InheritedSockets::InheritedSockets() {
-  constexpr int kKeepVariables =
-      0;  // removing them is not safe with threads; they name this process
+  // Removing them is not safe with threads, and not needed: they name this process.
+  constexpr int kKeepVariables = 0;
   const int count = sd_listen_fds(kKeepVariables);
   for (int i = 0; i < count; ++i) {
     const int descriptor = SD_LISTEN_FDS_START + i;
@@ -46,12 +46,15 @@ InheritedSockets::InheritedSockets() {
 }
 
 InheritedSockets::~InheritedSockets() {
-  for (const auto& [endpoint, descriptor] : sockets_) {
+  for (const Socket& socket : sockets_) ::close(socket.descriptor);
+}
+
+void InheritedSockets::warn_of_unused() const {
+  for (const Socket& socket : sockets_) {
     spdlog::warn(
         "{}: a socket unit of systemd listens there, but the configuration does not; add it to "
         "listen.tcp or http.listen",
-        endpoint_text(endpoint));
-    ::close(descriptor);
+        endpoint_text(socket.endpoint));
   }
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
-#include <string>
 #include <vector>
 
 namespace hedgehog::server {
@@ -17,11 +16,13 @@ class InheritedSockets {
   InheritedSockets();
   InheritedSockets(const InheritedSockets&) = delete;
   InheritedSockets& operator=(const InheritedSockets&) = delete;
-  /// Closes those that were not taken, with a warning.
+  /// Closes those that were not taken.
   ~InheritedSockets();
 
   /// The descriptor of the socket at `endpoint`, which the caller then owns; -1: there is none.
   int take(const boost::asio::ip::tcp::endpoint& endpoint) noexcept;
+  /// Logs a warning for each that was not taken: its clients would wait in vain.
+  void warn_of_unused() const;
 
  private:
   struct Socket {

@@ -101,6 +101,7 @@ void Listener::open(const config::Config& config) {
   }
   if (!config.listen.unix_socket.empty())
     open_unix(config.listen.unix_socket, config.access.unix_roles);
+  inherited.warn_of_unused();
 }
 
 std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddress& wanted,

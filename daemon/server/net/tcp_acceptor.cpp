@@ -25,7 +25,7 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
   if (const int descriptor = inherited.take(endpoint); descriptor >= 0) {
     acceptor.assign(endpoint.protocol(), descriptor, ec);
     asio::ip::v6_only v6_only(true);
-    if (!ec && address.is_v6()) acceptor.get_option(v6_only, ec);
+    if (!ec && address.is_v6() && address.is_unspecified()) acceptor.get_option(v6_only, ec);
     if (ec) throw std::runtime_error(name + ": " + ec.message());
     if (!v6_only) {
       throw std::runtime_error(name +

@@ -33,7 +33,7 @@ const link = new Link();
 const frames = new Frames();
 const ring = new Ring($("ring"), $("felt"));
 const sound = new Sound($("sound"));
-/** What the track was told to be: {root, world, car, impact, chase, trail, map, text}. */
+/** The configuration of the track: {root, world, car, impact, chase, trail, map, text}. */
 let stage = null;
 let scene = null;
 
