@@ -64,6 +64,15 @@ class TunnelFixture : public TlsFixture {
   bool plays_nothing() const {
     return eventually([&] { return status()["effects"].empty(); });
   }
+  /// Requests whose responses have 10 kB each: 20 MB, more than the system buffers.
+  static constexpr int kManyRequests = 2000;
+  static std::string many_requests() {
+    std::string all;
+    for (int i = 0; i < kManyRequests; ++i)
+      all += R"({"jsonrpc":"2.0","id":7,"method":"device.describe"})"
+             "\n";
+    return all;
+  }
   /// Begins an effect that lasts.
   static void hold(RawClient& client) {
     const Json held = client.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10'000}});

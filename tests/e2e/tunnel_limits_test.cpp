@@ -15,7 +15,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr int kMaxTunnelClients = 32;
-constexpr int kManyRequests = 2000;
 
 class TunnelLimits : public TunnelFixture {
  protected:
@@ -120,11 +119,7 @@ TEST_F(TunnelLimits, AClientThatDoesNotReadCostsNoMemoryAndCanStillStop) {
   RawClient game(tunnel.port());
   ASSERT_EQ(game.call("hello")["role"], "play");
   const int before_kb = peak_kb(tunnel.program());
-  std::string all;
-  // The responses have 10 kB each.
-  for (int i = 0; i < kManyRequests; ++i)
-    all += R"({"jsonrpc":"2.0","id":7,"method":"device.describe"})"
-           "\n";
+  std::string all = many_requests();
   all += R"({"jsonrpc":"2.0","id":8,"method":"device.emergency_stop"})"
          "\n";
   ASSERT_TRUE(game.send(all));

@@ -88,9 +88,7 @@ asio::awaitable<BallStream::Opened> BallStream::open(const std::vector<Address>&
 }
 
 asio::awaitable<Outcome<void>> BallStream::connect_and_log_in(const Endpoint& endpoint) {
-  deadline_.expires_after(response_timeout());
-  deadline_.async_wait([self = shared_from_this()](const error_code& cancelled) {
-    if (cancelled) return;
+  deadline_.start(response_timeout(), [self = shared_from_this()] {
     self->timed_out_ = true;
     self->close();
   });
@@ -100,8 +98,8 @@ asio::awaitable<Outcome<void>> BallStream::connect_and_log_in(const Endpoint& en
     outcome = no_response(address_, why);
   else if (address_.token)
     outcome = co_await log_in();
-  deadline_.cancel();
-  // The timer may have expired just before; then the connection is closed.
+  deadline_.stop();
+  // It may have expired just before; then the connection is closed.
   if (outcome && timed_out_) outcome = no_response(address_, reason_of_end({}));
   co_return outcome;
 }

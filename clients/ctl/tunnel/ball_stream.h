@@ -5,11 +5,11 @@
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/generic/stream_protocol.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "clients/ctl/tunnel/deadline.h"
 #include "clients/lib/address.h"
 #include "clients/lib/client_error.h"
 #include "clients/lib/tls_stream.h"
@@ -22,9 +22,9 @@ class BallStream : public std::enable_shared_from_this<BallStream> {
   using Opened = Outcome<std::shared_ptr<BallStream>>;
 
   /// REQUIRES: each address has TLS and is not an mdns:// address (see `locate`).
-  /// Connects to the first of `addresses` that accepts, within `response_timeout()` each, and sends
-  /// its token, if it has one, in a hello. kNoDaemon: "no daemon answers at A (why)". kRefused: the
-  /// token is unknown.
+  /// Connects to the first of `addresses` that accepts, within `response_timeout()` each beside the
+  /// time in which the system's resolver finds a host's name, and sends its token, if it has one,
+  /// in a hello. kNoDaemon: "no daemon answers at A (why)". kRefused: the token is unknown.
   static boost::asio::awaitable<Opened> open(const std::vector<Address>& addresses);
 
   BallStream(const boost::asio::any_io_executor& executor, const Address& address);
@@ -49,7 +49,7 @@ class BallStream : public std::enable_shared_from_this<BallStream> {
   Address address_;
   TlsStream::Socket socket_;
   TlsStream tls_;  // over `socket_`
-  boost::asio::steady_timer deadline_;
+  Deadline deadline_;
   bool timed_out_ = false;
 };
 

@@ -4,14 +4,14 @@
 #include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/redirect_error.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <string_view>
 #include <utility>
 
+#include "clients/ctl/tunnel/coroutine.h"
+#include "clients/ctl/tunnel/deadline.h"
 #include "clients/lib/response_timeout.h"
 
 namespace hedgehog::client {
@@ -23,49 +23,61 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::size_t kRelayBytes = 16 * 1024;
 
-struct Pair {
+struct Pair : std::enable_shared_from_this<Pair> {
+  Pair(Tcp::socket from, std::shared_ptr<BallStream> to, std::chrono::milliseconds time)
+      : client(std::move(from)), ball(std::move(to)), write_time(time) {}
+
   Tcp::socket client;
   std::shared_ptr<BallStream> ball;
-  asio::steady_timer last_responses;
+  std::chrono::milliseconds write_time;
+  Deadline last_responses{client.get_executor()};
 
   void close() noexcept {
     error_code ignored;
     client.close(ignored);
     ball->close();
-    last_responses.cancel();
+    last_responses.stop();
+  }
+  void close_after(Deadline& deadline, std::chrono::milliseconds time) {
+    deadline.start(
+        time, [self = shared_from_this()] { self->close(); });
   }
 };
 
-/// Until `from` ends or `to` is closed.
+/// Sends `first` and then what `from` sends, until it ends, or `to` is closed or does not accept.
 template <class From, class To>
-asio::awaitable<void> copy_bytes(From& from, To& to) {
+asio::awaitable<void> copy_bytes(Pair& pair, From& from, To& to, std::string_view first = {}) {
   std::array<char, kRelayBytes> buffer;
-  error_code ec;
-  while (!ec) {
+  Deadline deadline(pair.client.get_executor());
+  auto bytes = asio::buffer(first);
+  for (error_code ec;;) {
+    pair.close_after(deadline, pair.write_time);
+    co_await asio::async_write(to, bytes, asio::redirect_error(asio::use_awaitable, ec));
+    deadline.stop();
+    if (ec) co_return;
     const std::size_t count = co_await from.async_read_some(
         asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, ec));
-    if (!ec)
-      co_await asio::async_write(to, asio::buffer(buffer, count),
-                                 asio::redirect_error(asio::use_awaitable, ec));
+    if (ec) co_return;
+    bytes = asio::buffer(std::string_view(buffer.data(), count));
   }
 }
 
 asio::awaitable<void> copy_requests(std::shared_ptr<Pair> pair, std::string first) {
-  error_code ec;
-  co_await asio::async_write(pair->ball->stream(), asio::buffer(first),
-                             asio::redirect_error(asio::use_awaitable, ec));
-  if (!ec) co_await copy_bytes(pair->client, pair->ball->stream());
+  co_await copy_bytes(*pair, pair->client, pair->ball->stream(), first);
   if (!pair->client.is_open()) co_return;
   pair->ball->end_requests();
-  pair->last_responses.expires_after(response_timeout());
-  co_await pair->last_responses.async_wait(asio::redirect_error(asio::use_awaitable, ec));
-  if (!ec) pair->close();
+  pair->close_after(pair->last_responses, response_timeout());
 }
 
 }  // namespace
 
-asio::awaitable<std::string> first_bytes(Tcp::socket& client) {
+asio::awaitable<std::string> first_bytes(Tcp::socket& client, std::chrono::milliseconds time) {
   std::array<char, kRelayBytes> buffer;
+  Deadline deadline(client.get_executor());
+  deadline.start(time, [&client] {
+    error_code ignored;
+    client.close(ignored);
+  });
   for (;;) {
     error_code ec;
     const std::size_t count = co_await client.async_read_some(
@@ -79,13 +91,11 @@ asio::awaitable<std::string> first_bytes(Tcp::socket& client) {
   }
 }
 
-asio::awaitable<void> relay(Tcp::socket client, std::shared_ptr<BallStream> ball,
-                            std::string first) {
-  const auto executor = client.get_executor();
-  const auto pair = std::make_shared<Pair>(
-      Pair{std::move(client), std::move(ball), asio::steady_timer(executor)});
-  asio::co_spawn(executor, copy_requests(pair, std::move(first)), asio::detached);
-  co_await copy_bytes(pair->ball->stream(), pair->client);
+asio::awaitable<void> relay(Tcp::socket client, std::shared_ptr<BallStream> ball, std::string first,
+                            std::chrono::milliseconds write_time) {
+  const auto pair = std::make_shared<Pair>(std::move(client), std::move(ball), write_time);
+  spawn(pair->client.get_executor(), copy_requests(pair, std::move(first)));
+  co_await copy_bytes(*pair, pair->ball->stream(), pair->client);
   pair->close();
 }
 

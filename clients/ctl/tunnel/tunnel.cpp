@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/tunnel/tunnel.h"
 
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/thread_pool.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
 #include <csignal>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
 #include "clients/ctl/tunnel/ball_stream.h"
+#include "clients/ctl/tunnel/coroutine.h"
+#include "clients/ctl/tunnel/located_ball.h"
 #include "clients/ctl/tunnel/relay.h"
-#include "clients/lib/discovery/ball_search.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::client {
@@ -63,22 +62,23 @@ class Place {
 }  // namespace
 
 struct Tunnel::Impl {
-  Impl(std::vector<Address> to, Report with) : addresses(std::move(to)), report(std::move(with)) {}
+  Impl(std::vector<Address> to, Report with, const Limits& at_most)
+      : report(std::move(with)), limits(at_most), ball(std::move(to)) {}
 
-  const std::vector<Address> addresses;
   const Report report;
-  std::string reported;  // since a client has reached the ball
+  const Limits limits;
+  std::set<std::string> reported;  // since a client has reached the ball
   int clients = 0;
   // Destroyed before what the coroutines in it refer to.
   asio::io_context io{1};
-  asio::thread_pool searches{1};
+  LocatedBall ball;
   Tcp::acceptor acceptor{io};
   asio::signal_set signals{io, SIGINT, SIGTERM, SIGHUP};
 
   asio::awaitable<void> accept();
   asio::awaitable<void> serve(Tcp::socket client);
-  asio::awaitable<BallStream::Opened> open_ball();
   asio::awaitable<void> refuse(Tcp::socket& client, const ClientError& problem);
+  void report_once(const ClientError& problem);
 };
 
 asio::awaitable<void> Tunnel::Impl::accept() {
@@ -88,10 +88,11 @@ asio::awaitable<void> Tunnel::Impl::accept() {
     Tcp::socket client =
         co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, ec));
     if (!ec) {
-      asio::co_spawn(io, serve(std::move(client)), asio::detached);
+      spawn(io, serve(std::move(client)));
       continue;
     }
     // No descriptors are left.
+    report_once({Failure::kClosed, "no further client is accepted: " + reason_of(ec), {}});
     pause.expires_after(kAcceptPause);
     co_await pause.async_wait(asio::use_awaitable);
   }
@@ -99,43 +100,39 @@ asio::awaitable<void> Tunnel::Impl::accept() {
 
 asio::awaitable<void> Tunnel::Impl::serve(Tcp::socket client) {
   const Place place(clients);
-  if (clients > kMaxClients) {
+  if (clients > limits.clients) {
     const ClientError full{
-        Failure::kClosed, "there are " + std::to_string(kMaxClients) + " clients already", {}};
+        Failure::kClosed, "there are " + std::to_string(limits.clients) + " clients already", {}};
     co_await refuse(client, full);
     co_return;
   }
   error_code ignored;
   client.set_option(Tcp::no_delay(true), ignored);
-  std::string first = co_await first_bytes(client);
+  std::string first = co_await first_bytes(client, limits.first_request);
   if (first.empty()) co_return;
-  auto ball = co_await open_ball();
-  if (!ball) {
-    co_await refuse(client, ball.error());
+  auto stream = co_await ball.open();
+  if (!stream) {
+    co_await refuse(client, stream.error());
     co_return;
   }
   reported.clear();
-  co_await relay(std::move(client), *std::move(ball), std::move(first));
+  co_await relay(std::move(client), *std::move(stream), std::move(first), limits.write);
 }
 
-asio::awaitable<BallStream::Opened> Tunnel::Impl::open_ball() {
-  if (!needs_search(addresses)) co_return co_await BallStream::open(addresses);
-  // Blocks, which must not delay the other clients.
-  const auto located = co_await asio::co_spawn(
-      searches, [this]() -> asio::awaitable<BallSearch::Located> { co_return locate(addresses); },
-      asio::use_awaitable);
-  if (!located) co_return located.error();
-  co_return co_await BallStream::open(*located);
+void Tunnel::Impl::report_once(const ClientError& problem) {
+  if (reported.insert(problem.message).second) report(problem);
 }
 
 asio::awaitable<void> Tunnel::Impl::refuse(Tcp::socket& client, const ClientError& problem) {
-  if (problem.message != reported) report(problem);
-  reported = problem.message;
+  report_once(problem);
   co_await send_notice(client, problem);
 }
 
 Tunnel::Tunnel(std::vector<Address> addresses, Report report)
-    : impl_(std::make_unique<Impl>(std::move(addresses), std::move(report))) {}
+    : Tunnel(std::move(addresses), std::move(report), Limits()) {}
+
+Tunnel::Tunnel(std::vector<Address> addresses, Report report, const Limits& limits)
+    : impl_(std::make_unique<Impl>(std::move(addresses), std::move(report), limits)) {}
 
 Tunnel::~Tunnel() = default;
 
@@ -161,7 +158,7 @@ void Tunnel::run() {
   impl_->signals.async_wait([this](const error_code& ec, int) {
     if (!ec) impl_->io.stop();
   });
-  asio::co_spawn(impl_->io, impl_->accept(), asio::detached);
+  spawn(impl_->io, impl_->accept());
   impl_->io.run();
 }
 

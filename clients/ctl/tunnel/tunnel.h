@@ -3,6 +3,7 @@
 // sends the token, so that games need neither TLS nor a secret.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -18,17 +19,25 @@ namespace hedgehog::client {
 /// connection to the ball, made when it sends its first bytes, and ends with it.
 class Tunnel {
  public:
-  /// Limit of clients; a further one is closed. The daemon has 64 by default.
-  static constexpr int kMaxClients = 32;
-  /// Receives the reason why a client was closed, once until another client reaches the ball. The
-  /// client receives it as an error without an id.
+  struct Limits {
+    /// A further one is closed. The daemon has 64 by default.
+    int clients = 32;
+    /// A client that has sent nothing after this time is closed.
+    std::chrono::milliseconds first_request{std::chrono::minutes(1)};
+    /// So is one that does not read what is sent to it.
+    std::chrono::milliseconds write{std::chrono::minutes(1)};
+  };
+  /// Receives the reason why a client was closed, or none is accepted; each once until another
+  /// client reaches the ball. The client receives it as an error without an id.
   using Report = std::function<void(const ClientError&)>;
 
   /// REQUIRES: each address has TLS, mdns:// included.
   Tunnel(std::vector<Address> addresses, Report report);
+  Tunnel(std::vector<Address> addresses, Report report, const Limits& limits);
   Tunnel(const Tunnel&) = delete;
   Tunnel& operator=(const Tunnel&) = delete;
-  /// Closes all connections. Blocks while a search ends, for `kSearchTime` at most.
+  /// Closes all connections. Blocks while a search ends, for `kSearchTime` at most, and while the
+  /// system's resolver looks for a host's name.
   ~Tunnel();
 
   /// Listens on that port of 127.0.0.1, 0: any free one; returns it.
