@@ -72,8 +72,36 @@ renewed() {
   [ "$(readlink "/proc/$process/exe")" = /usr/bin/hedgehogd ] || fail "$1 runs $(readlink "/proc/$process/exe")"
 }
 
-step "install, of an older version: enabled, started, ready"
+# emulator COMMAND...: its answer is `answer`. Not in a subshell, which would not have the coprocess.
+emulator() { echo "$*" >&"${EMULATOR[1]}" && read -r -t 300 -u "${EMULATOR[0]}" answer; }
+# emulate DEVICE...: starts it.
+emulate() {
+  coproc EMULATOR { exec "$usbip" --vhci "$@" 2>/tmp/emulator; }
+  emulator_process=$EMULATOR_PID answer=
+  read -r -t 300 -u "${EMULATOR[0]}" answer || true
+  [ "$answer" = ready ] || fail "the emulator does not start: $(cat /tmp/emulator)"
+}
+end_emulator() {
+  emulator quit || fail "the emulator does not answer"
+  wait "$emulator_process" || fail "the emulator: $(cat /tmp/emulator)"
+}
+plugged() { emulator plug "$1" && [ "$answer" = ok ]; }
+
+step "install, of an older version, with a board plugged in: enabled, started, ready"
+# Without a HID device the kernel's hid is not loaded, and the service must load it.
+modprobe -r usbhid hid-generic hid
+! grep -qw hidraw /proc/devices || fail "hid cannot be unloaded"
+emulate board,serial=0006
+board=
+found_board() { board=$(grep -lx 0006 /sys/bus/usb/devices/*/serial); }
+eventually found_board
+board=${board%/serial}
+board=/dev/bus/usb/$(printf '%03d/%03d' "$(<"$board/busnum")" "$(<"$board/devnum")")
 install "$older"
+grep -qw hidraw /proc/devices || fail "the service cannot be allowed to use a HID device"
+belongs_to_group() { [ "$(stat --format '%a %G' "$board")" = "660 hedgehog" ]; }
+eventually belongs_to_group
+end_emulator
 eventually is ActiveState active
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled"
 are hedgehogd User=hedgehog
@@ -221,9 +249,6 @@ hedgehogctl --all stop
 systemctl restart hedgehogd
 [ -S /run/hedgehog/0007/hedgehogd.sock ] || fail "a restart of hedgehogd has removed the socket of hedgehogd@0007"
 
-# emulator COMMAND...: its answer is `answer`. Not in a subshell, which would not have the coprocess.
-emulator() { echo "$*" >&"${EMULATOR[1]}" && read -r -t 300 -u "${EMULATOR[0]}" answer; }
-plugged() { emulator plug "$1" && [ "$answer" = ok ]; }
 # plays SERIAL NAME: a pulse of 5 A flows through the board NAME.
 plays() {
   eventually ctl "$1" arm
@@ -239,10 +264,7 @@ systemctl disable --quiet --now hedgehogd
 systemctl stop hedgehogd@0007
 echo '{ "name": "ball-9", "usb_serial": "0009" }' >/etc/hedgehog/devices.d/ball-9.json
 echo '{ "backend": "usb", "device": "ball-9", "listen": { "tcp": ["127.0.0.1:7596"] }, "http": { "listen": "127.0.0.1:7597" } }' >/etc/hedgehog/0009.json
-coproc EMULATOR { exec "$usbip" --vhci board,name=nine,serial=0009,unplugged board,name=ten,serial=0010,unplugged 2>/tmp/emulator; }
-emulator_process=$EMULATOR_PID answer=
-read -r -t 300 -u "${EMULATOR[0]}" answer || true
-[ "$answer" = ready ] || fail "the emulator does not start: $(cat /tmp/emulator)"
+emulate board,name=nine,serial=0009,unplugged board,name=ten,serial=0010,unplugged
 eventually plugged ten
 condition_checked() { [ "$(property ConditionTimestampMonotonic "$1")" != 0 ]; }
 eventually condition_checked hedgehogd@0010
@@ -263,8 +285,7 @@ eventually plugged nine
 eventually has 0009 state '"disarmed"'
 plays 0009 nine
 are hedgehogd@0009 ActiveState=active "MainPID=$process" NRestarts=0
-emulator quit || fail "the emulator does not answer"
-wait "$emulator_process" || fail "the emulator: $(cat /tmp/emulator)"
+end_emulator
 systemctl enable --quiet --now hedgehogd
 
 step "purged: nothing runs, nothing is left"
