@@ -32,7 +32,7 @@ help:
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
-	@echo 'make test-deb-upgrade  upgraded from the packages of the commit before, built for it (REV=COMMIT: of that one)'
+	@echo 'make test-deb-upgrade  upgraded from the packages of the commit before, built for it (REV=COMMIT: of that one), also under systemd'
 	@echo 'make test-deb-reproducible  compiled again in another folder: equal packages'
 	@echo 'make deb-arm64  the same for a Raspberry Pi, cross-compiled, in build/deb-arm64; make test-deb-arm64 tries them in an emulated Debian'
 	@echo 'make test-service  the packages under systemd, in an emulated machine'
@@ -342,12 +342,14 @@ test-deb: deb
 	@$(STAGE) 'tests reproducible' tests/deb/reproducible.sh $(PACKED) build/deb
 	@$(STAGE) 'tests deb' tests/deb/run.sh build/deb $(BEFORE)
 
-# Upgraded from the packages of REV, made in a worktree of its own: another build of what ships. Not in CI.
+# Upgraded from the packages of REV, made in a worktree of its own: another build of what ships; in a fresh Debian, and under systemd. Not
+# in CI.
 .PHONY: test-deb-upgrade
 test-deb-upgrade: REV = HEAD~1
-test-deb-upgrade: deb
+test-deb-upgrade: deb build/.packages-vm
 	@$(STAGE) 'build deb before' cmake/deb_revision.sh $(REV) $(CURDIR)/build/before $(PACKED)
 	@$(STAGE) 'tests deb upgrade' tests/deb/run.sh build/deb build/before/build/deb
+	@VM_SECONDS=$(VM_SECONDS) $(STAGE) 'tests service upgrade' tests/vm/service.sh build/deb $(PACKED)/emulator/hedgehog-usbip build/before/build/deb
 
 # What is committed, compiled again in another folder: equal bytes. Not in CI.
 .PHONY: test-deb-reproducible

@@ -59,7 +59,7 @@ install(FILES systemd/hedgehogd.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR
 install(FILES systemd/hedgehog-gamepad.sysusers DESTINATION lib/sysusers.d RENAME hedgehog-gamepad.conf)
 # A unit contains the absolute path of the program, which is known once the prefix is.
 install(CODE "
-  foreach(unit hedgehogd.service hedgehogd@.service hedgehog-gamepad.service hedgehog-mqtt.service)
+  foreach(unit hedgehogd.service hedgehogd@.service hedgehog-gamepad.service hedgehog-mqtt.service hedgehog-mqtt@.service)
     file(READ \"${PROJECT_SOURCE_DIR}/systemd/\${unit}\" text)
     string(REPLACE /usr/bin/hedgehog \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/hedgehog\" text \"\${text}\")
     set(installed \"\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/\${unit}\")

@@ -2,6 +2,7 @@
 #include "clients/mqtt/remote_requests.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "protocol/server_codec.h"
@@ -15,6 +16,20 @@ using Json = nlohmann::ordered_json;
 Json object_of(const protocol::Result<std::string>& result) {
   if (result) return {{"result", Json::parse(*result)}};
   return {{"error", Json::parse(protocol::encode_error({}, result.error()))["error"]}};
+}
+
+/// What a method allows to the role `operate` only: the bridge has that role by its user's group,
+/// clients of a broker have `play`.
+std::optional<protocol::RpcError> not_permitted(const Json& params) {
+  using protocol::Role;
+  for (const auto& [field, value] : {std::pair("frame", "coil"), std::pair("scope", "all")})
+    if (params.value(field, Json()) == Json(value))
+      return protocol::forbidden(field, value, Role::kOperate, Role::kPlay);
+  constexpr int kMaxPriority = 7;
+  const auto priority = params.find("priority");
+  if (priority != params.end() && priority->is_number() && *priority > kMaxPriority)
+    return protocol::forbidden("priority", priority->dump(), Role::kOperate, Role::kPlay);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,6 +49,7 @@ protocol::Result<RemoteRequest> remote_request(const Topics& topics, const Messa
   if (!params.is_object())
     return protocol::error(protocol::ErrorCode::kInvalidParams,
                            "the payload is no JSON object with the parameters of " + *method);
+  if (auto refusal = not_permitted(params)) return *std::move(refusal);
   return RemoteRequest{*std::move(method), params.dump()};
 }
 

@@ -38,12 +38,13 @@ void resolve_access(Config& config, const Origins& origins, const std::string& c
   resolve_path(access.certificate_file, config, access::kCertificateFile);
   resolve_path(access.key_file, config, access::kKeyFile);
   const auto tls = tls_address(config);
-  const auto refuse = [&](const std::string& missing, const char* remedy) {
+  const auto refuse = [&](const std::string& missing, const char* command) {
     errors.push_back(error_at(origins, tls->key,
                               tls->text +
                                   ": refused, because other machines could reach it and there is "
                                   "no " +
-                                  missing + "; make it: " + remedy,
+                                  missing + "; make it: hedgehogctl token " + command +
+                                  " --state " + config.state_directory,
                               config_file));
   };
 
@@ -57,15 +58,14 @@ void resolve_access(Config& config, const Origins& origins, const std::string& c
   } else if (!tokens.missing) {
     errors.push_back({access.tokens_file, 0, "", tokens.problem});
   } else if (tls) {
-    refuse(access.tokens_file, "hedgehogctl token add NAME --role play");
+    refuse(access.tokens_file, "add NAME --role play");
   }
   if (!tls) return;
 
   const base::FileText certificate = reader(access.certificate_file);
   const base::FileText key = reader(access.key_file);
   if (certificate.missing || key.missing) {
-    refuse(certificate.missing ? access.certificate_file : access.key_file,
-           "hedgehogctl token certificate");
+    refuse(certificate.missing ? access.certificate_file : access.key_file, "certificate");
     return;
   }
   for (const auto& [file, name] :

@@ -53,6 +53,22 @@ TEST(MqttRequest, WithoutAPayloadHasNoParameters) {
   EXPECT_EQ(request->params_json, "{}");
 }
 
+TEST(MqttRequest, MayNotDoWhatNeedsTheRoleOperate) {
+  for (const auto& [topic, payload] :
+       {std::pair("pulse", R"({"direction": [1, 0, 0], "frame": "coil"})"),
+        std::pair("pulse", R"({"direction": "left", "priority": 8})"),
+        std::pair("update", R"({"slot": "engine", "priority": 7.5})"),
+        std::pair("stop_all", R"({"scope": "all"})")}) {
+    const auto request = remote_request(
+        kLabTopics, message_to(std::string("lab/hedgehog/HH-1-2/effect/") + topic, payload));
+    ASSERT_TRUE(request.has_error()) << payload;
+    EXPECT_EQ(request.error().code, protocol::ErrorCode::kForbidden);
+    EXPECT_EQ(request.error().role_needed, protocol::Role::kOperate);
+  }
+  EXPECT_TRUE(remote_request(kLabTopics, message_to("lab/hedgehog/HH-1-2/effect/pulse",
+                                                    R"({"direction": "left", "priority": 7})")));
+}
+
 // A button of Home Assistant sends plain text.
 TEST(MqttRequest, OfTheEmergencyStopMayHaveAnyPayload) {
   for (const char* payload : {"", "PRESS", "{", "[1]"}) {

@@ -37,8 +37,11 @@ TEST(ConfigAccess, RemotelyReachableAddressesAreRefusedWithoutTheFiles) {
                               ": refused, because other machines could reach it and there is no ";
     FakeFiles fake = FakeFiles::with(listens_at(address));
     EXPECT_EQ(fake.errors(), begin + kTokens +
-                                 "; make it: hedgehogctl token add NAME --role play\n" + begin +
-                                 kCertificate + "; make it: hedgehogctl token certificate\n");
+                                 "; make it: hedgehogctl token add NAME --role play --state "
+                                 "/var/lib/hedgehog\n" +
+                                 begin + kCertificate +
+                                 "; make it: hedgehogctl token certificate --state "
+                                 "/var/lib/hedgehog\n");
     EXPECT_EQ(with_files(address).errors(), "");
   }
   EXPECT_THAT(FakeFiles::with(R"({"http": {"listen": "0.0.0.0:7587"}})").errors(),

@@ -107,10 +107,12 @@ TEST_P(Unit, IsHardened) {
 
 INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
                          testing::Values("hedgehogd.service", "hedgehogd@.service",
-                                         "hedgehog-gamepad.service", "hedgehog-mqtt.service"),
+                                         "hedgehog-gamepad.service", "hedgehog-mqtt.service",
+                                         "hedgehog-mqtt@.service"),
                          [](const auto& unit) {
                            const std::string name = unit.param;
                            if (name.starts_with("hedgehog-gamepad")) return "Gamepad";
+                           if (name.starts_with("hedgehog-mqtt@")) return "MqttInstance";
                            if (name.starts_with("hedgehog-mqtt")) return "Mqtt";
                            return name.find('@') == std::string::npos ? "Single" : "Instance";
                          });

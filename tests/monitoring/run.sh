@@ -43,6 +43,17 @@ said() {
 running+=($!)
 ball=$(said "listening on http://")
 
+# A ball that other machines could reach.
+mkdir -p "$work/remote/hedgehog"
+echo '{"http": {"listen": "tls://127.0.0.1:0"}}' >"$work/remote/hedgehog/hedgehogd.json"
+token() { "$build/clients/ctl/hedgehogctl" token "$@" --state "$work/remote/hedgehog"; }
+token add prometheus --role observe 2>/dev/null | head -n 1 >"$work/hedgehog.token"
+token certificate >/dev/null 2>&1
+XDG_CONFIG_HOME=$work/remote XDG_STATE_HOME=$work/remote XDG_RUNTIME_DIR=$work/remote \
+  "$build/daemon/hedgehogd" --simulate --speed 1 --listen 127.0.0.1:0 >"$work/lines" 2>"$work/remote.log" &
+running+=($!)
+remote=$(said "listening on https://")
+
 # start_prometheus NAME [OPTION]...: of the configuration $work/NAME.yml; the next line with "Listening on" has its address.
 start_prometheus() {
   local name=$1
@@ -57,9 +68,12 @@ echo 'global: { evaluation_interval: 1s }' >"$work/second.yml"
 start_prometheus second --web.enable-remote-write-receiver
 second=$(said 'msg="Listening on" address=')
 
-# scrape.yml with its example of remote_write, which is a comment there.
+# scrape.yml with its examples, which are comments there.
 echo 'global: { evaluation_interval: 1s }' >"$work/first.yml"
 sed -e "s|/usr/share/hedgehog/monitoring|$monitoring|; s|/etc/hedgehog/balls.json|$work/balls.json|; s|scrape_interval: 5s|scrape_interval: 1s|" \
+  -e "/^#  - job_name:/,/replacement:/ s/^#//; s|/etc/prometheus/hedgehog.token|$work/hedgehog.token|" \
+  -e "s|/etc/prometheus/ball-host.pem|$work/remote/hedgehog/certificate.pem|; s|ball-host:7587|$remote|" \
+  -e "s|server_name: ball-host|server_name: $(hostname)|" \
   -e "/^#remote_write:/,\$ s/^#//; s|https://metrics.example:9090/|http://$second/|" \
   -e "s|/etc/prometheus/remote-write.password|$work/password|" "$monitoring/scrape.yml" >>"$work/first.yml"
 grep -q '^remote_write:' "$work/first.yml"
@@ -70,6 +84,8 @@ prometheus=$(said 'msg="Listening on" address=')
 
 step "Prometheus at $prometheus, a ball at $ball"
 python3 "$here/queries.py" "$monitoring" "http://$prometheus" "$ball"
+step "the same of a ball at https://$remote"
+python3 "$here/queries.py" "$monitoring" "http://$prometheus" "$remote"
 step "remote_write to a Prometheus at $second"
 python3 "$here/remote_write.py" "$monitoring" "http://$prometheus" "http://$second" "$ball"
 step "all is well"

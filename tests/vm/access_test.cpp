@@ -15,9 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string kHostileSerial = "x.service debug-shell.service y";
+
 class Access : public Bench {
  protected:
-  Access() : Bench(kEveryDevice) {}
+  Access() : Bench(devices()) {}
+  static std::vector<std::string> devices() {
+    std::vector<std::string> all = kEveryDevice;
+    all.push_back("board,unplugged,name=hostile,serial=" + kHostileSerial);
+    return all;
+  }
 
   static void SetUpTestSuite() {
     shell("systemd-sysusers " + source_folder() + "/systemd/hedgehog.sysusers");
@@ -90,6 +97,24 @@ TEST_F(Access, TheRulesAreValidForUdev) {
         output.substr(output.rfind('\n', at) + 1, 200).find("60-hedgehog") != std::string::npos;
     EXPECT_FALSE(own_rule) << output.substr(at, 200);
   }
+}
+
+// systemd takes each word of SYSTEMD_WANTS for a unit, and would start it as root.
+TEST_F(Access, ASerialNumberNamesNoOtherUnit) {
+  install_rules();
+  emulator_->ok("plug board");
+  emulator_->ok("plug hostile");
+  const auto wants = [](const std::string& serial) {
+    return shell("udevadm info --query=property " +
+                 shell("dirname $(grep -lx '" + serial + "' /sys/bus/usb/devices/*/serial)"));
+  };
+  EXPECT_TRUE(eventually([&] {
+    return wants("B1").find("SYSTEMD_WANTS=hedgehogd@B1.service\n") != std::string::npos;
+  })) << wants("B1");
+  EXPECT_TRUE(eventually([&] {
+    return wants(kHostileSerial).find("ID_MODEL=Hedgehog_driver_board\n") != std::string::npos;
+  })) << wants(kHostileSerial);
+  EXPECT_EQ(wants(kHostileSerial).find("SYSTEMD_WANTS"), std::string::npos);
 }
 
 TEST_F(Access, TheRulesGiveEveryDeviceToTheGroupAndTheDaemonPlaysAsItsUser) {

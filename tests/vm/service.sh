@@ -262,6 +262,10 @@ plays() {
 step "boards that are plugged in: udev starts the service of one that has settings"
 systemctl disable --quiet --now hedgehogd
 systemctl stop hedgehogd@0007
+systemctl start hedgehog-gamepad hedgehog-mqtt
+are hedgehogd ActiveState=inactive # they wait for it, and do not start what was stopped
+systemctl stop hedgehog-gamepad hedgehog-mqtt
+systemctl reset-failed
 echo '{ "name": "ball-9", "usb_serial": "0009" }' >/etc/hedgehog/devices.d/ball-9.json
 echo '{ "backend": "usb", "device": "ball-9", "listen": { "tcp": ["127.0.0.1:7596"] }, "http": { "listen": "127.0.0.1:7597" } }' >/etc/hedgehog/0009.json
 emulate board,name=nine,serial=0009,unplugged board,name=ten,serial=0010,unplugged
@@ -286,12 +290,21 @@ eventually has 0009 state '"disarmed"'
 plays 0009 nine
 are hedgehogd@0009 ActiveState=active "MainPID=$process" NRestarts=0
 end_emulator
+
+step "one of several balls at an MQTT broker: a service of its own, with settings of its own"
+echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.1:1"' >/etc/hedgehog/mqtt.env
+echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.1:2"' >/etc/hedgehog/mqtt-0009.env
+systemctl start hedgehog-mqtt@0009
+eventually logged "no broker at 127.0.0.1:2" hedgehog-mqtt@0009
+are hedgehog-mqtt@0009 ActiveState=active
+rm /etc/hedgehog/mqtt.env /etc/hedgehog/mqtt-0009.env
 systemctl enable --quiet --now hedgehogd
 
 step "purged: nothing runs, nothing is left"
 rm /etc/hedgehog/0007.json /etc/hedgehog/0009.json /etc/hedgehog/devices.d/ball-9.json
 dpkg --no-triggers --force-unsafe-io --purge hedgehogd hedgehog-tools >/tmp/out 2>&1 || { cat /tmp/out; fail "dpkg --purge"; }
 are hedgehogd@0009 ActiveState=inactive
+are hedgehog-mqtt@0009 ActiveState=inactive
 ! pgrep -x hedgehogd || fail "a daemon runs on"
 left=$(find /etc /var/lib/hedgehog /run/hedgehog /usr/lib/systemd /usr/bin -xdev -name '*hedgehog*' 2>/dev/null | grep -v '^/etc/apt' || true)
 [ -z "$left" ] || fail "left behind: $left"

@@ -147,6 +147,11 @@ int run_token_revoke(const CommonOptions& common, const TokenOptions& options) {
   }
   std::fprintf(stderr, "%s is revoked; its connections end when the daemon takes it over.\n",
                options.name.c_str());
+  if (tokens->empty())
+    std::fputs(
+        "There is no token any more: from then on clients of TCP and WebSocket on loopback may "
+        "play, those with TLS nothing.\n",
+        stderr);
   std::fputs(kReload, stderr);
   return kDone;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/asio.hpp>
+#include <cerrno>
 #include <charconv>
 #include <functional>
 #include <random>
@@ -40,10 +41,13 @@ std::uint16_t test_port() {
   return port;
 }
 
-std::vector<asio::ip::address_v4> ipv4_interfaces() {
+std::vector<asio::ip::address_v4> ipv4_interfaces(error_code& error) {
   std::vector<asio::ip::address_v4> all;
   ifaddrs* first = nullptr;
-  if (::getifaddrs(&first) != 0) return all;
+  if (::getifaddrs(&first) != 0) {
+    error.assign(errno, boost::system::system_category());
+    return all;
+  }
   for (const ifaddrs* one = first; one != nullptr; one = one->ifa_next) {
     if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET ||
         (one->ifa_flags & IFF_UP) == 0u)
@@ -106,7 +110,11 @@ class MdnsExchange {
     const std::uint16_t port = test_port();
     const udp::endpoint to(group, port != 0 ? port : kMdnsPort);
     const auto interfaces =
-        port != 0 ? std::vector{asio::ip::address_v4::loopback()} : ipv4_interfaces();
+        port != 0 ? std::vector{asio::ip::address_v4::loopback()} : ipv4_interfaces(failure_);
+    if (failure_) {
+      done_ = true;
+      return;
+    }
     for (const auto& interface : interfaces) {
       // An interface that has been removed meanwhile is skipped.
       error_code error;
