@@ -44,7 +44,6 @@ constexpr std::chrono::milliseconds kLastResponses{1000};
 
 Daemon::Daemon(const Options& options, const config::Paths& paths, const config::Config& config)
     : options_(options),
-      paths_(paths),
       config_(config),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
       listener_(io_, config),
@@ -55,6 +54,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
         const StartState start = start_state(config, saved_, server::boot_time_now());
         return {config, start.settings, start.simulated_c, options.speed};
       }()),
+      reload_(paths, options.overrides),
       device_view_(config, threads_.mailbox(), threads_.port(), threads_.loop().origin_ns()),
       state_store_(config.state_directory, disk_, device_view_, saved_),
       devices_(config_, threads_.sensors(), scan_thread_),
@@ -130,6 +130,7 @@ asio::awaitable<void> Daemon::pump() {
     for (const std::string& line : threads_.sensors().messages()) spdlog::info("{}", line);
     for (const std::string& line : warnings_.step(device_view_)) spdlog::warn("{}", line);
     manager_.alive(threads_.loop().heartbeat());
+    if (auto loaded = reload_.step(config_)) apply(*std::move(loaded));
     if (ready_)
       manager_.status(status_line());
     else if (device_view_.now().state == control::State::kArmed ||
@@ -152,7 +153,8 @@ asio::awaitable<void> Daemon::handle_signals() {
     const int signal = co_await signals_.async_wait(asio::redirect_error(asio::use_awaitable, ec));
     if (ec) co_return;
     if (signal == SIGHUP) {
-      reload();
+      manager_.reloading();
+      reload_.request();
     } else if (!stopping_) {
       asio::co_spawn(io_, shut_down(signal == SIGINT ? "interrupted" : "stop"), asio::detached);
     } else if (signal == SIGINT) {
@@ -197,9 +199,7 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
   io_.stop();
 }
 
-void Daemon::reload() {
-  manager_.reloading();
-  const auto fresh = config::load_config(paths_, options_.overrides, config::read_file, &config_);
+void Daemon::apply(ConfigReload::Loaded fresh) {
   if (fresh.has_error()) {
     spdlog::error("the new configuration is wrong; the old one stays:\n{}",
                   config::to_string(fresh.error()));

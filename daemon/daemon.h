@@ -10,6 +10,7 @@
 
 #include "daemon/announcement.h"
 #include "daemon/config/load_config.h"
+#include "daemon/config_reload.h"
 #include "daemon/device_list.h"
 #include "daemon/device_threads.h"
 #include "daemon/options.h"
@@ -43,7 +44,8 @@ class Daemon {
   boost::asio::awaitable<void> pump();
   boost::asio::awaitable<void> handle_signals();
   boost::asio::awaitable<void> shut_down(std::string reason);
-  void reload();
+  /// The new configuration, or the errors in it.
+  void apply(ConfigReload::Loaded fresh);
   void on_event(const control::Event& event, const server::Effect* effect);
   void log_state(const control::Event& event);
   void log_start();
@@ -51,7 +53,6 @@ class Daemon {
   std::string status_line() const;
 
   Options options_;
-  config::Paths paths_;
   config::Config config_;
   boost::asio::io_context io_{1};
   boost::asio::signal_set signals_;
@@ -59,7 +60,8 @@ class Daemon {
   server::Listener listener_;
   std::optional<server::SavedState> saved_;
   DeviceThreads threads_;
-  server::DiskThread scan_thread_{"look"};
+  ConfigReload reload_;
+  server::DiskThread scan_thread_{"scan"};
   server::DiskThread disk_;
   server::DeviceView device_view_;
   server::FileStateStore state_store_;
