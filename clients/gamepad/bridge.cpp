@@ -116,15 +116,16 @@ Result<void> Bridge::handle_problem() {
 void Bridge::on_connect(TimePoint now) {
   connections_ = ball_.connections();
   telemetry_due_ = now + Milliseconds(kStaleMs);
-  protocol::StatusKeys keys;
-  keys.add(protocol::StatusKey::kOrientation);
-  // On every connection: `Ball` renews a subscription only after its acceptance.
-  subscription_ = ball_.request(protocol::TelemetrySubscribe{kTelemetryHz, keys});
   const protocol::HelloResult& hello = ball_.hello();
   const auto& limits = hello.limits;
   player_.on_connect(limits.current_a > 0.0 ? limits.felt_a / limits.current_a : 0.0);
   report_once("connected to " + client::to_string(ball_.address()) + ", the ball is " +
               hello.state + (hello.remedy ? ": " + *hello.remedy : ""));
+  protocol::StatusKeys keys;
+  keys.add(protocol::StatusKey::kOrientation);
+  // On every connection: `Ball` renews a subscription only after its acceptance. Sending may end
+  // the connection.
+  subscription_ = ball_.request(protocol::TelemetrySubscribe{kTelemetryHz, keys});
 }
 
 void Bridge::on_silence(TimePoint now) {
