@@ -15,16 +15,13 @@ namespace hedgehog::gamepad {
 
 namespace {
 
-using client::Outcome;
-
 constexpr double kTelemetryHz = 100.0;
-// A game's upload is blocked meanwhile; the daemon is on this machine.
-constexpr Milliseconds kConnectTimeout{200};
-constexpr Milliseconds kHelloTimeout{500};
-constexpr Milliseconds kSendTimeout{200};
 constexpr Milliseconds kMaxWait{500};
-// Same age limit as of the daemon's world-frame effects.
+// `Ball` has no descriptor while it connects.
+constexpr Milliseconds kConnectInterval{10};
+// Of an orientation, and of silence. Same age limit as of the daemon's world-frame effects.
 constexpr std::int64_t kStaleMs = 100;
+constexpr Milliseconds kPingInterval{500};
 
 }  // namespace
 
@@ -33,7 +30,8 @@ Bridge::Bridge(GamepadDevice& device, const BridgeOptions& options, Report repor
       options_(options),
       report_(std::move(report)),
       player_(options.translation),
-      axes_(options.tilt) {}
+      axes_(options.tilt),
+      ball_(options.addresses, {.name = "hedgehog-gamepad/" HEDGEHOG_VERSION}) {}
 
 Result<void> Bridge::run(const std::function<bool()>& stop) {
   while (!stop())
@@ -53,10 +51,12 @@ void Bridge::wait() const {
   const TimePoint now = client::Clock::now();
   TimePoint until = now + kMaxWait;
   if (const auto due = player_.deadline()) until = std::min(until, *due);
-  if (!connection_) until = std::min(until, next_attempt_);
+  until =
+      std::min(until, ball_.connected() ? telemetry_due_
+                                        : now + std::max(ball_.retry_after(), kConnectInterval));
   const auto left = std::max(Milliseconds(0), std::chrono::ceil<Milliseconds>(until - now));
-  std::array<pollfd, 2> waiting{{{device_.descriptor(), POLLIN, 0}, {-1, POLLIN, 0}}};
-  if (connection_) waiting[1].fd = connection_->descriptor();
+  std::array<pollfd, 2> waiting{
+      {{device_.descriptor(), POLLIN, 0}, {ball_.descriptor(), POLLIN, 0}}};
   (void)::poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
 }
 
@@ -93,61 +93,62 @@ int Bridge::carry_out(const DeviceCommand& command, TimePoint now) {
 }
 
 Result<void> Bridge::handle_daemon(TimePoint now) {
-  Outcome<void> done{};
-  if (connection_) {
-    done = exchange();
-  } else {
-    (void)player_.take_requests();  // discarded while not connected
-    if (now >= next_attempt_) done = connect();
-  }
-  if (done) return {};
-  const bool was_connected = connection_.has_value();
-  connection_.reset();
-  move_stick({});
-  next_attempt_ = client::Clock::now() + backoff_.next();
-  if (options_.once) return Problem(kUnavailable, done.error().message);
-  report_once(done.error().message + (was_connected ? "; reconnecting" : "; waiting for it"));
+  // Discarded while not connected.
+  for (const protocol::Request& request : player_.take_requests()) (void)ball_.request(request);
+  ball_.update();
+  if (!ball_.connected()) return handle_problem();
+  if (ball_.connections() != connections_) on_connect(now);
+  while (const auto response = ball_.response()) take(*response);
+  while (const auto notification = ball_.next()) take(*notification, now);
+  if (now >= telemetry_due_) on_silence(now);
   return {};
 }
 
-Outcome<void> Bridge::connect() {
-  auto opened = client::Connection::open(options_.addresses, kConnectTimeout);
-  if (!opened) return opened.error();
-  const auto hello = opened->hello("hedgehog-gamepad/" HEDGEHOG_VERSION, {}, kHelloTimeout);
-  if (!hello) return hello.error();
+Result<void> Bridge::handle_problem() {
+  if (stick_) move_stick({});
+  const std::string problem = ball_.problem();
+  if (problem.empty()) return {};
+  if (options_.once) return Problem(kUnavailable, problem);
+  report_once(problem + (connections_ > 0 ? "; reconnecting" : "; waiting for it"));
+  return {};
+}
+
+void Bridge::on_connect(TimePoint now) {
+  connections_ = ball_.connections();
+  telemetry_due_ = now + Milliseconds(kStaleMs);
+  const protocol::HelloResult& hello = ball_.hello();
+  const auto& limits = hello.limits;
+  player_.on_connect(limits.current_a > 0.0 ? limits.felt_a / limits.current_a : 0.0);
+  report_once("connected to " + client::to_string(ball_.address()) + ", the ball is " +
+              hello.state + (hello.remedy ? ": " + *hello.remedy : ""));
   protocol::StatusKeys keys;
   keys.add(protocol::StatusKey::kOrientation);
-  const auto telemetry =
-      opened->call(protocol::TelemetrySubscribe{kTelemetryHz, keys}, kHelloTimeout);
-  if (!telemetry) return telemetry.error();
-  connection_.emplace(*std::move(opened));
-  backoff_.reset();
-  const auto& limits = hello->limits;
-  player_.on_connect(limits.current_a > 0.0 ? limits.felt_a / limits.current_a : 0.0);
-  report_once("connected to " + client::to_string(connection_->address()) + ", the ball is " +
-              hello->state + (hello->remedy ? ": " + *hello->remedy : ""));
-  return {};
+  // On every connection: `Ball` renews a subscription only after its acceptance. Sending may end
+  // the connection.
+  subscription_ = ball_.request(protocol::TelemetrySubscribe{kTelemetryHz, keys});
 }
 
-Outcome<void> Bridge::exchange() {
-  for (const protocol::Request& request : player_.take_requests())
-    if (auto sent = connection_->request(request, kSendTimeout); !sent) return sent.error();
-  for (;;) {
-    auto notification = connection_->next(Milliseconds(0));
-    if (!notification) return notification.error();
-    while (const auto response = connection_->response()) {
-      // An effect may have ended just before its renewal or stop arrived.
-      if (!response->result && response->result.error().code != protocol::ErrorCode::kNoSuchEffect)
-        report_once("the daemon refuses an effect: " + response->result.error().message);
-    }
-    if (!*notification) return {};
-    take(**notification);
-  }
+void Bridge::on_silence(TimePoint now) {
+  if (stick_) move_stick({});
+  // `ball_` ends the connection if the response is overdue.
+  (void)ball_.request(protocol::Ping{});
+  telemetry_due_ = now + kPingInterval;
 }
 
-void Bridge::take(const client::Notification& notification) {
+void Bridge::take(const protocol::Reply& response) {
+  if (response.result) return;
+  const protocol::RpcError& error = response.result.error();
+  if (response.id == subscription_)
+    report_once("the daemon refuses telemetry: " + error.message);
+  else if (error.code != protocol::ErrorCode::kNoSuchEffect)
+    // An effect may have ended just before its renewal or stop arrived.
+    report_once("the daemon refuses an effect: " + error.message);
+}
+
+void Bridge::take(const client::Notification& notification, TimePoint now) {
   const auto* message = std::get_if<protocol::TelemetryMessage>(&notification);
   if (message == nullptr) return;
+  telemetry_due_ = now + Milliseconds(kStaleMs);
   const auto& orientation = message->telemetry.status.orientation;
   const bool known = orientation && orientation->age_ms <= kStaleMs;
   move_stick(known ? axes_.position(orientation->up) : StickPosition{});

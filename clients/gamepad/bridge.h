@@ -10,7 +10,7 @@
 #include "clients/gamepad/effect_player.h"
 #include "clients/gamepad/gamepad_device.h"
 #include "clients/gamepad/tilt_axes.h"
-#include "clients/lib/connection.h"
+#include "clients/lib/ball.h"
 
 namespace hedgehog::gamepad {
 
@@ -22,8 +22,11 @@ struct BridgeOptions {
   bool trace = false;  // reports every command of the games
 };
 
-/// One thread, which answers a game at once whether or not the daemon is connected. A game's
-/// effects end with the connection and are not restarted automatically.
+/// One thread, which answers a game at once whether or not the daemon is connected, connecting or
+/// silent (only the look-up of a host name blocks). A game's effects end with the connection and
+/// are not restarted automatically. The stick is centred without a current orientation: 100 ms
+/// after the last telemetry at the latest. A daemon that does not answer, after the same 100 ms,
+/// within `client::response_timeout` (2 s) is disconnected.
 class Bridge {
  public:
   using Report = std::function<void(const std::string&)>;
@@ -46,9 +49,12 @@ class Bridge {
   int carry_out(const DeviceCommand& command, TimePoint now);
   /// A lost connection is no error unless `once`.
   Result<void> handle_daemon(TimePoint now);
-  client::Outcome<void> connect();
-  client::Outcome<void> exchange();
-  void take(const client::Notification& notification);
+  Result<void> handle_problem();
+  void on_connect(TimePoint now);
+  /// No telemetry was received by `telemetry_due_`.
+  void on_silence(TimePoint now);
+  void take(const protocol::Reply& response);
+  void take(const client::Notification& notification, TimePoint now);
   void move_stick(const StickPosition& position);
   void report_once(const std::string& message);
 
@@ -58,9 +64,10 @@ class Bridge {
   EffectPlayer player_;
   TiltAxes axes_;
   std::optional<StickPosition> stick_;  // as last sent to the device
-  std::optional<client::Connection> connection_;
-  client::Backoff backoff_;
-  TimePoint next_attempt_{};
+  Ball ball_;
+  int connections_ = 0;  // of `ball_`, handled
+  std::optional<protocol::Id> subscription_;
+  TimePoint telemetry_due_{};
   std::string reported_;
 };
 

@@ -70,6 +70,14 @@ class Ball {
   const client::ClientError& failure() const { return *failure_; }
   /// Time until the next attempt to connect; 0: the next call makes one.
   client::Milliseconds retry_after() const;
+  /// Address of the connection. REQUIRES: connected.
+  const client::Address& address() const noexcept { return connection_->address(); }
+  /// For poll(2) in a loop that also waits for other sources; when it is readable, call `update`.
+  /// -1: no connection, or still connecting. An update leaves lines beyond the first 100 for the
+  /// next one, without the socket being readable again: wait with a timeout.
+  int descriptor() const noexcept {
+    return stage_ > Stage::kConnecting ? connection_->descriptor() : -1;
+  }
   /// Limits and role, of the last connection. REQUIRES: it was connected once.
   const protocol::HelloResult& hello() const noexcept { return hello_; }
 

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 
 #include <cmath>
 #include <limits>
@@ -53,6 +54,7 @@ TEST(Ball, ConnectsWhileFramesGoOn) {
   EXPECT_FALSE(ball.rumble("engine", 0.5)) << "nobody is there yet";
   frames(ball, [&] { return ball.connected(); });
   EXPECT_EQ(ball.hello().limits.felt_a, 2.1);
+  EXPECT_EQ(ball.address(), daemon.address()) << "the first that answers";
   EXPECT_TRUE(ball.rumble("engine", 0.5, protocol::Word::kBack, {.frequency_hz = 70.0}));
   daemon.finish();
   EXPECT_THAT(rumbled, HasSubstr(R"("slot":"engine")"));
@@ -72,6 +74,24 @@ TEST(Ball, ReportsThatTheDaemonDoesNotRun) {
   const auto retried = ball.call(protocol::Ping{});
   ASSERT_FALSE(retried.has_value());
   EXPECT_EQ(retried.error().failure, Failure::kNoDaemon);
+}
+
+TEST(Ball, ItsDescriptorIsReadableWhenAMessageHasArrived) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send_line(kWelcome);
+    peer.read();
+    peer.send_line(kArmedEvent);
+    EXPECT_EQ(peer.read(), "") << "the client has closed";
+  });
+  Ball ball({daemon.address()}, long_timeout());
+  EXPECT_EQ(ball.descriptor(), -1);
+  frames(ball, [&] { return ball.connected(); });
+  ASSERT_TRUE(ball.notify(protocol::Ping{}));
+  pollfd readable{ball.descriptor(), POLLIN, 0};
+  EXPECT_EQ(::poll(&readable, 1, static_cast<int>(kLongTimeout.count())), 1);
+  ball.update();
+  EXPECT_TRUE(ball.next().has_value());
 }
 
 TEST(Ball, EndsAConnectionWithoutAResponseToHello) {

@@ -2,11 +2,8 @@
 // The gamepad bridge between a gamepad controlled by the test and a real daemon.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/eventfd.h>
-#include <unistd.h>
 
 #include <atomic>
-#include <deque>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -20,59 +17,13 @@
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/e2e/timeout.h"
+#include "tests/fake_gamepad.h"
 
 namespace hedgehog::e2e {
 namespace {
 
-using gamepad::DeviceCommand;
+using gamepad::FakeGamepad;
 using gamepad::StickPosition;
-
-/// A gamepad whose game is the test, on a thread of its own.
-class FakeGamepad : public gamepad::GamepadDevice {
- public:
-  ~FakeGamepad() override { ::close(fd_); }
-
-  void command(const DeviceCommand& command) {
-    const std::lock_guard lock(mutex_);
-    commands_.push_back(command);
-    ::eventfd_write(fd_, 1);
-  }
-  /// The errno of the latest response to an upload; -1: none yet.
-  int uploaded() const { return uploaded_; }
-  int erased() const { return erased_; }
-  bool moved() const { return moved_; }
-  StickPosition stick() const {
-    const std::lock_guard lock(mutex_);
-    return stick_;
-  }
-
-  int descriptor() const noexcept override { return fd_; }
-  Result<std::optional<DeviceCommand>> next() override {
-    const std::lock_guard lock(mutex_);
-    eventfd_t ignored = 0;
-    ::eventfd_read(fd_, &ignored);
-    if (commands_.empty()) return std::optional<DeviceCommand>();
-    std::optional<DeviceCommand> oldest = commands_.front();
-    commands_.pop_front();
-    return oldest;
-  }
-  void answer_upload(const gamepad::UploadRequest&, int error) override { uploaded_ = error; }
-  void answer_erase(const gamepad::EraseRequest&, int error) override { erased_ = error; }
-  void move_stick(const StickPosition& position) override {
-    const std::lock_guard lock(mutex_);
-    stick_ = position;
-    moved_ = true;
-  }
-
- private:
-  int fd_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-  mutable std::mutex mutex_;
-  std::deque<DeviceCommand> commands_;
-  StickPosition stick_{};
-  std::atomic<int> uploaded_ = -1;
-  std::atomic<int> erased_ = -1;
-  std::atomic<bool> moved_ = false;
-};
 
 ff_effect push_right(int length_ms) {
   ff_effect effect{};
@@ -96,7 +47,7 @@ class Gamepad : public testing::Test {
           device_, options, [this](const std::string& line) { report(line); });
       (void)bridge.run([this] { return stop_.load(); });
     });
-    EXPECT_TRUE(eventually([&] { return connected_.load(); }));
+    EXPECT_TRUE(eventually([&] { return !reports().empty(); }));
   }
   ~Gamepad() override {
     stop_ = true;
@@ -107,7 +58,11 @@ class Gamepad : public testing::Test {
     if (line.starts_with("game: "))
       trace_.push_back(line);
     else
-      connected_ = true;
+      reports_.push_back(line);
+  }
+  std::vector<std::string> reports() const {
+    const std::lock_guard lock(mutex_);
+    return reports_;
   }
   std::vector<std::string> trace() const {
     const std::lock_guard lock(mutex_);
@@ -117,6 +72,9 @@ class Gamepad : public testing::Test {
     device_.command(gamepad::UploadRequest{1, effect});
     EXPECT_TRUE(eventually([&] { return device_.uploaded() >= 0; }));
     return device_.uploaded();
+  }
+  void turn(const model::Quaternion& q) {
+    ball_.call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
   }
   bool flows(const model::Vec3& direction) {
     return eventually([&] {
@@ -130,10 +88,10 @@ class Gamepad : public testing::Test {
   DaemonProcess daemon_;
   RawClient ball_;
   FakeGamepad device_;
-  std::atomic<bool> connected_ = false;
   std::atomic<bool> stop_ = false;
   mutable std::mutex mutex_;
   std::vector<std::string> trace_;
+  std::vector<std::string> reports_;
   std::thread thread_;
 };
 
@@ -170,14 +128,25 @@ TEST_F(Gamepad, ASpringIsRefused) {
 }
 
 TEST_F(Gamepad, TiltingTheBallMovesTheStick) {
-  const auto turn = [&](const model::Quaternion& q) {
-    ball_.call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
-  };
   ASSERT_TRUE(eventually([&] { return device_.moved(); })) << "upright is the centre";
   turn(model::axis_angle({1, 0, 0}, 60));
   EXPECT_TRUE(eventually([&] { return device_.stick().x > 30'000; }));
   turn({});
   EXPECT_TRUE(eventually([&] { return device_.stick() == StickPosition{}; }));
+}
+
+TEST_F(Gamepad, AHungDaemonCentresTheStickAndItsConnectionEnds) {
+  ASSERT_TRUE(eventually([&] { return device_.moved(); }));
+  turn(model::axis_angle({1, 0, 0}, 60));
+  ASSERT_TRUE(eventually([&] { return device_.stick().x > 30'000; }));
+  daemon_.signal(SIGSTOP);
+  EXPECT_TRUE(eventually([&] { return device_.stick() == StickPosition{}; }));
+  EXPECT_TRUE(eventually([&] { return reports().back().ends_with("; reconnecting"); }))
+      << testing::PrintToString(reports());
+  EXPECT_EQ(upload(push_right(300)), 0) << "while the daemon hangs";
+  daemon_.signal(SIGCONT);
+  EXPECT_TRUE(eventually([&] { return device_.stick().x > 30'000; }));
+  EXPECT_THAT(reports().back(), testing::HasSubstr("connected to "));
 }
 
 TEST(GamepadProgram, WithoutUinputItEndsWith69AndARemedy) {

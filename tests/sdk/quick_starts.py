@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Tests the quick starts, from an installed daemon to the first pulse: quick_starts.py HEDGEHOGD [LIBRARY...].
 
-Each README's program is written to an empty folder beside the sources, and its commands are run verbatim. The printed table has the
+Each README's program is written to an empty folder beside the sources, and its commands are run verbatim, except the first, `START`:
+the daemon is a LiveDaemon instead, at free ports. The printed table has the
 number of commands and the time until the daemon started the first pulse. Exit: 1 a quick start fails, or the table of
 clients/README.md has another number of commands.
 """

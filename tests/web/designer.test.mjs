@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { kPhone } from "./browser.mjs";
+import { kDesktop, kPhone } from "./browser.mjs";
 import { daemon, open, page, until } from "./dashboard.mjs";
 import { eventually } from "./timeouts.mjs";
 
@@ -166,6 +166,39 @@ test("a saved file is accepted by the daemon and loaded by this page", async () 
   await page.locator("#load").setInputFiles({ name: "p.json", mimeType: "application/json", buffer: Buffer.from("{}") });
   await until(() => document.getElementById("said").textContent === "This file has no keyframes");
   assert.equal((await frames()).length, 2);
+});
+
+test("a file's wave is forecast, played, kept and saved, with the members that this page does not know", async () => {
+  const sent = [];
+  await open("/designer.html", kDesktop, async (opened) => opened.on("websocket", (socket) =>
+    socket.on("framesent", ({ payload }) => sent.push(...[JSON.parse(payload)].flat()))));
+  const file = { name: "acme/blink", description: "On and off.", waveform: "square", frequency_hz: 2, on_fraction: 0.5,
+    keyframes: [{ t_ms: 0, direction: [1, 0, 0], level: 1 }, { t_ms: 1000, direction: [1, 0, 0], level: 1 }] };
+  const load = (pattern) => page.locator("#load").setInputFiles({
+    name: "p.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(pattern)) });
+  await load(file);
+  // Off from 250 to 500 ms; the timeline shows 2 s as 1000 units, and rest at the height 160.
+  await until(() => [...document.getElementById("currents").points].some(({ x, y }) => x > 150 && x < 240 && y === 160));
+  assert.equal(await page.textContent("#wave"), "Modulated as in the file: square, 2 Hz, on for 50 %");
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await until(() => /^plays with /.test(document.getElementById("said").textContent));
+  const { waveform, frequency_hz, on_fraction } = sent.find(({ method }) => method === "effect.play").params;
+  assert.deepEqual([waveform, frequency_hz, on_fraction], ["square", 2, 0.5]);
+  await page.getByRole("button", { name: "Keep in the daemon" }).click();
+  await until(() => document.getElementById("said").textContent === "acme/blink is kept by the daemon");
+  const { duration_ms, shipped, ...kept } = await daemon.call("pattern.get", { name: "acme/blink" });
+  assert.deepEqual([duration_ms, shipped], [1000, false]);
+  assert.deepEqual(kept, file);
+
+  await load({ ...file, licence: "MIT", keyframes: [file.keyframes[0], file.keyframes[0], file.keyframes[1]] });
+  await until(() => document.getElementById("said").textContent === "1 key frame moved by 1 ms: others are at its time");
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save" }).click();
+  const saved = JSON.parse(readFileSync(await (await download).path(), "utf8"));
+  assert.deepEqual(saved, { ...file, licence: "MIT",
+    keyframes: [file.keyframes[0], { ...file.keyframes[0], t_ms: 1 }, file.keyframes[1]] });
+  await page.getByRole("button", { name: "Clear" }).click();
+  assert.equal(await page.locator("#wave").isHidden(), true);
 });
 
 test("the designer fits a phone", async () => {

@@ -46,21 +46,47 @@ test("a written file is read back, and other directions of the protocol too", ()
   assert.deepEqual(Keyframes.read(JSON.stringify({ keyframes: read.wire() })).wire(), read.wire());
 });
 
+const errorOf = (value) => {
+  try {
+    Keyframes.read(typeof value === "string" ? value : JSON.stringify(value));
+    return "nothing";
+  } catch ({ message }) {
+    return message;
+  }
+};
+
+test("a file's other members are kept, and its wave is played", () => {
+  const file = { name: "acme/purr", description: "A cat.", waveform: "sine", frequency_hz: 25, licence: "MIT",
+    keyframes: [{ t_ms: 0, direction: [1, 0, 0], level: 1 }, { t_ms: 100, direction: [1, 0, 0], level: 0 }] };
+  const read = Keyframes.read(JSON.stringify({ ...file, duration_ms: 100, shipped: false }));
+  assert.deepEqual(read.wave(), { waveform: "sine", frequency_hz: 25 });
+  read.put({ t: 100, direction: [1, 0, 0], level: 0.5 });
+  file.keyframes[1].level = 0.5;
+  assert.deepEqual(read.pattern("acme/purr"), file, "without the results of pattern.get");
+  assert.equal(read.pattern("mine/purr").name, "mine/purr");
+  assert.deepEqual(new Keyframes().wave(), {});
+});
+
+test("each key frame of a file is kept within 1 ms of its time, or the file is refused", () => {
+  const read = (...times) => Keyframes.read(JSON.stringify({ keyframes: times.map((t_ms, i) => ({ t_ms, level: i / 10 })) }));
+  const kept = (...times) => read(...times).frames.map(({ t, level }) => [t, 10 * level]);
+  assert.deepEqual(kept(0, 100, 100, 101), [[0, 0], [100, 1], [101, 2], [102, 3]]);
+  assert.deepEqual(kept(0, 100.2, 100.4), [[0, 0], [100, 1], [101, 2]]);
+  assert.deepEqual([read(0, 100, 100, 101).moved, read(0, 100).moved], [2, 0]);
+  const refused = (...times) => errorOf({ keyframes: times.map((t_ms) => ({ t_ms, level: 0 })) });
+  assert.equal(refused(0, 100, 100, 100), "this page keeps one key frame a millisecond, and the file has more at 100 ms");
+  assert.equal(refused(0, 10_000, 10_000), "two of its key frames are at 10000 ms, the end of this page");
+});
+
 test("a file that is no pattern is refused with the reason", () => {
-  const errorOf = (value) => {
-    try {
-      Keyframes.read(typeof value === "string" ? value : JSON.stringify(value));
-      return "nothing";
-    } catch ({ message }) {
-      return message;
-    }
-  };
   assert.equal(errorOf("{"), "this file is no JSON");
   assert.equal(errorOf({}), "this file has no keyframes");
   assert.equal(errorOf({ keyframes: [{ t_ms: 5, level: 0 }, { t_ms: 1, level: 0 }] }), "its times are not in order");
   assert.equal(errorOf({ keyframes: [{ t_ms: 0, level: 2 }] }), "one of its levels is not 0 to 1");
   assert.equal(errorOf({ keyframes: [{ t_ms: 11_000, level: 1 }] }), "it is longer than the 10 s of this page");
   assert.equal(errorOf({ keyframes: [{ t_ms: 0, level: 1, direction: "there" }] }), "one of its directions is none");
+  assert.equal(errorOf({ keyframes: [{ t_ms: 0, level: 1, ease: "cubic" }] }), "one of its ways is not linear, step or smooth");
+  assert.equal(errorOf({ keyframes: [{ t_ms: 0, level: 1, gain: 1 }] }), "this page does not know gain of a key frame");
 });
 
 test("a drag becomes few key frames that are off by at most the tolerance", () => {

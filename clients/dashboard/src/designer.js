@@ -10,7 +10,7 @@ import { PathEditor } from "./path_editor.js";
 import { stopButton } from "./stop.js";
 import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
-import { amperes, errorMessage, counted, degrees, limitation, whither } from "./words.js";
+import { amperes, errorMessage, counted, degrees, limitation, waveWords, whither } from "./words.js";
 
 const kPreviewMs = 250;
 const kDragLeaseMs = 250;
@@ -69,6 +69,9 @@ function edit(change, tabled = true) {
   $("no-frames").hidden = frames.frames.length > 0;
   if (tabled) table.show(frames.frames, chosen());
   while (span() < frames.length()) form.elements.span.selectedIndex += 1;
+  const wave = waveWords(frames.wave());
+  $("wave").hidden = wave === "";
+  $("wave").textContent = `Modulated as in the file: ${wave}`;
   draw();
   clearTimeout(edit.timer);
   edit.timer = setTimeout(forecast, kPreviewMs);
@@ -94,7 +97,7 @@ function draw() {
   $("caption").textContent = at ? `${which} ${(now / 1000).toFixed(2)} s towards ${whither(at.direction)}, level ${at.level.toFixed(2)}` : "At rest";
 }
 
-const params = () => ({ keyframes: frames.wire(), current_a: number("strength") });
+const params = () => ({ ...frames.wave(), keyframes: frames.wire(), current_a: number("strength") });
 
 async function forecast() {
   line("currents", []);
@@ -199,7 +202,7 @@ setInterval(() => {
   if (drag) link.notify("effect.update", { slot: "drag" });
 }, kDragLeaseMs / 2);
 
-const pattern = () => ({ name: form.elements.name.value, keyframes: frames.wire() });
+const pattern = () => frames.pattern(form.elements.name.value);
 $("save").addEventListener("click", () => {
   if (!frames.playable()) return showMessage("There is nothing to save yet.", true);
   const url = URL.createObjectURL(new Blob([`${JSON.stringify(pattern(), null, 2)}\n`], { type: "application/json" }));
@@ -217,10 +220,13 @@ $("load").addEventListener("change", async () => {
   if (!file) return;
   const text = await file.text();
   $("load").value = "";
+  let moved = 0;
   edit(() => {
     frames = Keyframes.read(text, ball.pins.map(({ number: pin, direction }) => ({ number: pin, direction: direction.toArray() })));
-    form.elements.name.value = JSON.parse(text).name ?? form.elements.name.value;
+    form.elements.name.value = frames.members.name ?? form.elements.name.value;
+    moved = frames.moved;
   });
+  if (moved > 0) showMessage(`${counted(moved, "key frame")} moved by 1 ms: others are at its time`);
 });
 
 const listener = new Listener(link, {

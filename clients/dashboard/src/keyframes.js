@@ -5,6 +5,11 @@
 export const kMaxMs = 10_000;
 export const kMaxKeyframes = 256;
 export const kEases = ["linear", "step", "smooth"];
+/** Members of a pattern that are parameters of `effect.play`, too. */
+const kWave = ["waveform", "frequency_hz", "on_fraction"];
+const kFrame = ["t_ms", "direction", "level", "ease"];
+/** What `pattern.get` returns besides the pattern. */
+const kResults = ["duration_ms", "shipped"];
 
 const unit = (v) => {
   const length = Math.hypot(...v);
@@ -52,6 +57,10 @@ export class Keyframes {
   constructor() {
     /** In order of time: {t, direction, level, ease}; t in ms, direction a unit vector of the ball. A new list for each change. */
     this.frames = [];
+    /** Of the file, except `keyframes`: its name, description and wave, and members that this page does not know. */
+    this.members = {};
+    /** How many key frames `read` has moved by 1 ms. */
+    this.moved = 0;
   }
 
   /** One at `frame.t`, in place of that which is there; its index. */
@@ -91,6 +100,16 @@ export class Keyframes {
     }));
   }
 
+  /** The waveform of the file, as parameters of `effect.play`; empty: none. */
+  wave() {
+    return Object.fromEntries(kWave.filter((key) => key in this.members).map((key) => [key, this.members[key]]));
+  }
+
+  /** As `pattern.put` takes it, and as a file. */
+  pattern(name) {
+    return { ...this.members, name, keyframes: this.wire() };
+  }
+
   /** Whether the daemon would take it. */
   playable() {
     return this.length() >= 1;
@@ -107,16 +126,24 @@ export class Keyframes {
     if (!Array.isArray(pattern?.keyframes) || pattern.keyframes.length === 0) throw new Error("this file has no keyframes");
     if (pattern.keyframes.length > kMaxKeyframes) throw new Error(`${kMaxKeyframes} key frames are the most`);
     const read = new Keyframes();
+    read.members = Object.fromEntries(Object.entries(pattern).filter(([key]) => key !== "keyframes" && !kResults.includes(key)));
     let direction = [1, 0, 0];
     let before = 0;
     for (const frame of pattern.keyframes) {
       if (!Number.isFinite(frame?.t_ms) || frame.t_ms < before) throw new Error("its times are not in order");
       if (frame.t_ms > kMaxMs) throw new Error(`it is longer than the ${kMaxMs / 1000} s of this page`);
       if (!(frame.level >= 0 && frame.level <= 1)) throw new Error("one of its levels is not 0 to 1");
+      if (!kEases.includes(frame.ease ?? "linear")) throw new Error("one of its ways is not linear, step or smooth");
+      const unknown = Object.keys(frame).find((key) => !kFrame.includes(key));
+      if (unknown !== undefined) throw new Error(`this page does not know ${unknown} of a key frame`);
       if (frame.direction !== undefined) direction = vectorOf(frame.direction, pins);
       before = frame.t_ms;
       // Of two at one time the first is the end of a way: both are kept, 1 ms apart.
-      const t = frame.t_ms === read.frames.at(-1)?.t ? frame.t_ms + 1 : frame.t_ms;
+      const time = Math.round(frame.t_ms);
+      const t = Math.max(time, (read.frames.at(-1)?.t ?? -1) + 1);
+      if (t > time + 1) throw new Error(`this page keeps one key frame a millisecond, and the file has more at ${time} ms`);
+      if (t > kMaxMs) throw new Error(`two of its key frames are at ${kMaxMs} ms, the end of this page`);
+      read.moved += t - time;
       read.put({ t, direction, level: frame.level, ease: frame.ease ?? "linear" });
     }
     return read;

@@ -111,6 +111,10 @@ export const amperes = (a) => `${number(a)} A`;
 export const degrees = (c) => (c === null || c === undefined ? "–" : `${number(c)} °C`);
 /** "1 tick", "2,500 ticks". */
 export const counted = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
+/** A pattern's wave: "square, 25 Hz, on for 50 %"; empty: none. */
+export const waveWords = ({ waveform, frequency_hz: hertz, on_fraction: on }) => [
+  waveform, hertz === undefined ? null : `${hertz} Hz`, on === undefined ? null : `on for ${Math.round(100 * on)} %`,
+].filter(Boolean).join(", ");
 /** A time that the ball can go on; null: for ever. `known`: how warm it is, without which nobody can tell. */
 export const lasting = (s, known, digits = 0) => {
   if (!known || s === undefined) return "not known";
