@@ -59,10 +59,12 @@ void BallLog::handle_telemetry(const Json& telemetry) {
     PlayedEffect* one = find(playing["effect"].get<std::int64_t>());
     if (one == nullptr) continue;
     one->method = playing["method"];
-    // The field may already be off in a tick whose current still decays.
-    if (current_a_ <= one->peak_a || norm(side_) == 0.0) continue;
+    one->peak_a = std::max(one->peak_a, current_a_);
+    // The measured current follows the field some ticks later: in a fast wave much of it is
+    // measured when the field is off again.
+    if (current_a_ <= one->field_a || norm(side_) == 0.0) continue;
     if (current_a_ > kZeroCurrentA && norm(one->begun_at) == 0.0) one->begun_at = side_;
-    one->peak_a = current_a_;
+    one->field_a = current_a_;
     one->side = side_;
   }
 }

@@ -19,6 +19,7 @@ struct PlayedEffect {
   std::string ended;       // the reason; empty: it is still playing
   double flowed_ms = 0;    // in device time, set when it has ended
   double peak_a = 0;       // largest current measured meanwhile, over all windings
+  double field_a = 0;      // largest current measured in a tick with a field
   model::Vec3 side{};      // direction of the field at that time
   model::Vec3 begun_at{};  // direction of the field at the first measured current
 };
