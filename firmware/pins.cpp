@@ -112,7 +112,12 @@ void set_pins(const board::PinOutputs& pins) noexcept {
   reg(slice(kFanSlice) + kCompare) = pins.fan_pwm;
 }
 
-void set_safe_pins() noexcept { set_pins(board::safe_pins(pico_wiring())); }
+void set_safe_pins() noexcept {
+  board::PinOutputs pins = board::safe_pins(pico_wiring());
+  // As it is: open, it may have a reason; closed, opening it would interrupt a current.
+  pins.supply_switch_closed = (reg(kOutputs) & bit(kSupplySwitchPin)) != 0;
+  set_pins(pins);
+}
 
 uint8_t faults_low() noexcept { return static_cast<uint8_t>(~(reg(kInputs) >> kFaultPin) & 7u); }
 
