@@ -54,6 +54,15 @@ export function currents(board, types) {
   return found;
 }
 
+/** A board without a supply of its own draws from VBUS what its descriptor asks for, which is at most 500 mA (USB 2.0, 7.2.1). */
+export function usbPower(board, types) {
+  const ma = drawnMa(board, types, "VBUS");
+  const found = [];
+  if (!(board.usbMa <= 500)) found.push(`the descriptor asks for ${board.usbMa} mA`);
+  if (!(ma <= board.usbMa)) found.push(`VBUS draws ${ma.toFixed(1)} mA, the descriptor asks for ${board.usbMa} mA`);
+  return found;
+}
+
 /** Parts in the way of the power carry the fuse's current, the fuse a quarter more than the load's. */
 export function powerPath(board, types) {
   const found = [];

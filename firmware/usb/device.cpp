@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/usb/device.h"
 
+#include "firmware/clocks.h"
 #include "firmware/pins.h"
 #include "firmware/registers.h"
 
@@ -61,6 +62,8 @@ constexpr uint16_t kControlPacket = 64;
 /// the controller. Without frames there is no such time.
 constexpr uint32_t kArmBeforeUs = 800;
 constexpr uint32_t kNoFramesUs = 2000;
+/// A contact bounces for less; USB 2.0 7.1.7.3 allows 100 ms until the pull-up.
+constexpr uint32_t kVbusSettledUs = 20'000;
 
 volatile uint8_t* memory(uint32_t offset) noexcept {
   return reinterpret_cast<volatile uint8_t*>(kUsbMemory + offset);
@@ -90,19 +93,50 @@ void UsbDevice::start() noexcept {
   reg(kMainControl) = 1;
   reg(kSieControl) = 1u << 29;
   reg(kEnabledEvents) = kBufferEvent | kResetEvent | kSuspendEvent | kSetupEvent | kFrameEvent;
+  vbus_changed_us_ = now_us();
 }
 
 void UsbDevice::attach(bool wanted) noexcept {
   if (wanted == attached_) return;
   attached_ = wanted;
-  // 7.1.5 of the specification: a device with a supply of its own pulls up nothing without VBUS.
+  // 7.1.5 of the specification: without VBUS nothing is pulled up. This board has no supply then;
+  // one that is fed at VSYS has.
   reg(kSieControl) = (1u << 29) | (wanted ? kPullUp : 0);
   reset_bus_state();
 }
 
+void UsbDevice::follow_vbus() noexcept {
+  const bool present = vbus_present();
+  if (present == attached_)
+    vbus_changed_us_ = now_us();
+  else if (now_us() - vbus_changed_us_ >= kVbusSettledUs)
+    attach(present);
+}
+
+/// A controller that hangs is known by its silence: a host sends a frame each millisecond, or it
+/// suspends the device. Nothing but a reset of the controller ends it (erratum RP2040-E15).
+void UsbDevice::check_progress(uint32_t events) noexcept {
+  if (events != 0) suspended_ = (events & kSuspendEvent) != 0;
+  const bool expected = requests_.configured() && !suspended_ && !bridges_awake();
+  if (events != 0 || !expected)
+    progress_us_ = now_us();
+  else if (now_us() - progress_us_ >= kHungUs)
+    restart();
+}
+
+void UsbDevice::restart() noexcept {
+  restart_usb();
+  // The pull-up is off from here on, until VBUS counts as settled again: the host sees the device
+  // leave and come.
+  attached_ = false;
+  start();
+  reset_bus_state();
+}
+
 void UsbDevice::poll() noexcept {
-  attach(vbus_present());
+  follow_vbus();
   const uint32_t events = reg(kEvents);
+  check_progress(events);
   handle_frame_start(events);
   if ((events & kResetEvent) != 0) {
     clear_bits(kSieStatus, kStatusReset);
@@ -110,12 +144,11 @@ void UsbDevice::poll() noexcept {
     reset_exit_.begin();
   }
   reset_exit_.poll();
+  if ((events & kBufferEvent) != 0) handle_buffers();
   if ((events & kSuspendEvent) != 0) {
     clear_bits(kSieStatus, kStatusSuspended);
-    // What would be sent after a resume is too old by then.
-    in_waiting_ = false;
+    discard_in();
   }
-  if ((events & kBufferEvent) != 0) handle_buffers();
   if ((events & kSetupEvent) != 0) handle_setup();
   arm_in();
 }
@@ -185,6 +218,7 @@ void UsbDevice::act(const UsbAnswer& answer) noexcept {
     case UsbAction::kClearHalt:
       // Either way the endpoint begins anew with DATA0.
       reg(in ? kIn1 : kOut1) = halt ? kStall : 0;
+      reg(kBuffers) = in ? kIn1Done : kOut1Done;
       (in ? in_halted_ : out_halted_) = halt;
       (in ? in_data1_ : out_data1_) = false;
       (in ? in_armed_ : out_armed_) = false;
@@ -196,6 +230,8 @@ void UsbDevice::act(const UsbAnswer& answer) noexcept {
 void UsbDevice::configure(bool configured) noexcept {
   reg(kIn1) = 0;
   reg(kOut1) = 0;
+  // What was completed since the buffers were handled is not that of those armed from here on.
+  reg(kBuffers) = kIn1Done | kOut1Done;
   reg(kEndpoint1InControl) = configured ? kBulkEndpoint | kInBuffer : 0;
   reg(kEndpoint1OutControl) = configured ? kBulkEndpoint | kOutBuffer : 0;
   received_.clear();
@@ -266,10 +302,20 @@ size_t UsbDevice::receive(uint8_t* packet, size_t capacity) noexcept {
 }
 
 void UsbDevice::send(const uint8_t* frame) noexcept {
-  if (!requests_.configured() || in_waiting_ || in_armed_) return;
+  if (!requests_.configured() || suspended_ || in_waiting_ || in_armed_) return;
   for (size_t i = 0; i < sizeof(in_frame_); ++i) in_frame_[i] = frame[i];
   in_waiting_ = true;
   arm_in();
+}
+
+/// What would be sent after a resume is too old by then. The bus has been idle for 3 ms: the
+/// controller is not sending it.
+void UsbDevice::discard_in() noexcept {
+  in_waiting_ = false;
+  if (!in_armed_) return;
+  reg(kIn1) = 0;
+  in_armed_ = false;
+  in_data1_ = !in_data1_;
 }
 
 void UsbDevice::arm_in() noexcept {

@@ -50,6 +50,8 @@ const kBroken = {
   "a pin whose drive is too weak": [["currents"], /U1\.GP6 gives 4 mA, SLP takes 7\.2 mA/, "drive U1.GP6 12mA", ""],
   "a drive that no pin has": [["currents"], /U1\.GP6 has no drive of 16 mA/, "drive U1.GP6 12mA", "drive U1.GP6 16mA"],
   "more current than all pins of the microcontroller give": [["currents"], /U1: 71 mA of all its pins, 50 mA allowed/, "R 10k tol=1% power=0.25 at=U1", "R 330 tol=1% power=0.25 at=U1"],
+  "more current from USB than its descriptor asks for": [["usbPower"], /VBUS draws 113\.8 mA, the descriptor asks for 100 mA/, "usb 150mA", "usb 100mA"],
+  "more current than a port gives": [["usbPower"], /the descriptor asks for 600 mA/, "usb 150mA", "usb 600mA"],
   "a fuse that blows at work": [["powerPath"], /F1 blows at 16 A, VM carries 15 A/, "F1 FUSE 20", "F1 FUSE 16"],
   "a connector that is too weak for the fuse": [["powerPath"], /J1\.\+ carries 30 A, 12V_IN has 40 A/, "F1 FUSE 20", "F1 FUSE 40"],
   "a shunt that gets too hot": [["powerPath", "converterRange"], /RS1: 1\.36 W of 1 W/, "RS1 SHUNT 1m", "RS1 SHUNT 5m"],

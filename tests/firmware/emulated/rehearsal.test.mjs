@@ -133,7 +133,10 @@ test('step 7: with a coil on J2 alone the direction that it names drives it, the
     await ball.call('sim.set', { fault: { faults: ['open_winding'], coil: 1 }, errors: [{ kind: 'resistance_gain', coil: 2, value: 10 }] });
     await does(daemon, 'hold', direction, '--current-a', '0.5', '--for', '1');
     await checkDeadMan(daemon, direction, 0);
-    await ball.hold('left', { slot: 'test', current_a: 1, lease_ms: 10_000 });
+    // Any other direction drives an open winding: nothing flows, and from 1.25 A on the daemon trips.
+    await does(daemon, 'hold', 'left', '--current-a', '0.5', '--for', '0.3');
+    assert.ok(Math.hypot(...(await trueCurrents(ball))) < 0.1);
+    await ball.hold('left', { slot: 'test', current_a: 2, lease_ms: 10_000 });
     await daemon.state('tripped');
     assert.match(await does(daemon, 'status'), /current_mismatch/);
   });
