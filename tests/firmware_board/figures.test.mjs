@@ -86,7 +86,7 @@ test("the ripple is a bias, as conversions and PWM have one clock: 20 periods a 
   assert.ok(Math.abs(bias.worst - 0.05) < 1e-9);
   // The simulator has none: its gain has to be worse by so much.
   const [gain, share] = ["current_a gain, calibrated", "current_a bias while driven, of the current"]
-    .map((name) => errorBudget(reference, kTypes).find((one) => one.name === name).worst);
+    .map((name) => errorBudget(reference, kTypes).find((one) => one.name === name).combined);
   assert.ok(gain + share < frontEnd(/kGain = ([\d.]+);/), `${gain} + ${share}`);
 });
 

@@ -33,7 +33,7 @@ const kBroken = {
   "a ground that is none": [["voltages"], /U8\.GND is not on GND/, "U8 LVC1G07 : VCC=3V3 GND=GND", "U8 LVC1G07 : VCC=3V3 GND=TACH"],
   "5 V on a pin for 3.3 V": [["voltages"], /U1\.GP11 stands 3\.6 V, net TACH has up to 5\.3 V/, "FAN_CTL TACH SWITCH", "FAN_CTL SWITCH\nsignals 0..5.3V: TACH"],
   "a supply below what a part needs": [["voltages"], /M1\.VIN needs 6\.5 V, net VM has down to 5 V/, "net VM 10.8..13.2V", "net VM 5..13.2V"],
-  "a capacitor with too low a voltage": [["voltages"], /C1 stands 16 V at 13\.2 V/, "C1 C 1000u tol=20% volts=35", "C1 C 1000u tol=20% volts=16"],
+  "a capacitor with too low a voltage": [["voltages", "sleepingBridges"], /C1 stands 16 V at 13\.2 V/, "C1 C 1000u tol=20% volts=35", "C1 C 1000u tol=20% volts=16"],
   "an amplifier without its capacitor": [["decoupling"], /U2\.VS has 0 nF beside it, needs 100 nF/, "C16 C 100n tol=10% volts=16 at=U2", "C16 C 100n tol=10% volts=16 at=U3"],
   "a converter's input without its capacitor": [["decoupling"], /U7\.CH0 has 0 nF beside it/, "at=U7 : 1=IA_F", "at=U2 : 1=IA_F"],
   "SLP without its pull-down": [["connections", "safeLevels"], /SLP: up to .* V \(reset\), low is 0\.8 V/, "at=U1 : 1=SLP", "at=U1 : 1=SLP2"],
@@ -61,6 +61,9 @@ const kBroken = {
   "a pull-up with which a hot thermistor looks shorted": [["converterRange"], /ntc_a: 125 C gives 0\.0\d+ V/, "R21 R 10k tol", "R21 R 100k tol"],
   "something measured that has no circuit": [["converterRange"], /extra: no amplifier, divider, thermistor or driver in front of U1\.GP13/, "", "", "\nmeasure extra U1.GP13 0..1A\n"],
   "too little capacitance for bridges that fall asleep": [["decoupling", "sleepingBridges"], /all windings where the drivers chop: VM rises to \d+\.\d V, 24 V allowed/, "C 1000u", "C 220u"],
+  "a fan that sleeping bridges lift": [["sleepingBridges"], /16\.5 A in one winding: J6\.12V stands 13\.2 V, 12V rises to 17\.1 V/, "12V=FAN_12V TACH", "12V=12V TACH", "\nR99 R 10k tol=1% power=0.25 : 1=FAN_12V 2=GND\n"],
+  "a resettable fuse that sleeping bridges lift": [["sleepingBridges"], /16\.5 A in one winding: F2\.1 stands 16 V, 12V rises to 17\.1 V/, "POLYFUSE 1.1 volts=72", "POLYFUSE 1.1 volts=16"],
+  "a capacitor before the switch that they lift": [["sleepingBridges"], /C4\.1 stands 18 V, 12V rises to 23\.5 V/, "C4 C 100n tol=10% volts=50", "C4 C 100n tol=10% volts=18"],
   "a clamp that is too small": [["sleepingBridges"], /the clamp takes 0\.10 J of 0\.05 J/, "D1 TVS :", "D1 TVS energy_j=0.05 :"],
   "no clamp": [["sleepingBridges"], /all windings where the drivers chop: VM rises to 24\.\d V/, 'D1 TVS : K=VM A=GND "what the capacitors do not take of sleeping windings"', ""],
 };
