@@ -4,57 +4,13 @@
 #include "firmware/clocks.h"
 #include "firmware/pins.h"
 #include "firmware/registers.h"
+#include "firmware/usb/controller.h"
 
 namespace hedgehog::firmware {
+
+using namespace usb_controller;
+
 namespace {
-
-// 4.1.2.7.1, 4.1.4: the controller's memory.
-constexpr uint32_t kEndpoint1InControl = kUsbMemory + 0x08;
-constexpr uint32_t kEndpoint1OutControl = kUsbMemory + 0x0C;
-constexpr uint32_t kIn0 = kUsbMemory + 0x80;
-constexpr uint32_t kOut0 = kUsbMemory + 0x84;
-constexpr uint32_t kIn1 = kUsbMemory + 0x88;
-constexpr uint32_t kOut1 = kUsbMemory + 0x8C;
-constexpr uint32_t kControlBuffer = 0x100;
-constexpr uint32_t kOutBuffer = 0x180;
-constexpr uint32_t kInBuffer = 0x1C0;
-constexpr uint32_t kBulkEndpoint = (1u << 31) | (1u << 29) | (2u << 26);
-
-// Buffer control.
-constexpr uint32_t kFull = 1u << 15;
-constexpr uint32_t kData1 = 1u << 13;
-constexpr uint32_t kStall = 1u << 11;
-constexpr uint32_t kAvailable = 1u << 10;
-constexpr uint32_t kLength = 0x3FF;
-
-// 4.1.4
-constexpr uint32_t kAddress = kUsb + 0x00;
-constexpr uint32_t kMainControl = kUsb + 0x40;
-constexpr uint32_t kFrameNumber = kUsb + 0x48;
-constexpr uint32_t kSieControl = kUsb + 0x4C;
-constexpr uint32_t kSieStatus = kUsb + 0x50;
-constexpr uint32_t kBuffers = kUsb + 0x58;
-constexpr uint32_t kStallArm = kUsb + 0x68;
-constexpr uint32_t kMuxing = kUsb + 0x74;
-constexpr uint32_t kPower = kUsb + 0x78;
-constexpr uint32_t kEnabledEvents = kUsb + 0x90;
-constexpr uint32_t kEvents = kUsb + 0x98;
-
-constexpr uint32_t kPullUp = 1u << 16;
-constexpr uint32_t kStatusSetup = 1u << 17;
-constexpr uint32_t kStatusReset = 1u << 19;
-constexpr uint32_t kStatusSuspended = 1u << 4;
-
-constexpr uint32_t kBufferEvent = 1u << 4;
-constexpr uint32_t kResetEvent = 1u << 12;
-constexpr uint32_t kSuspendEvent = 1u << 14;
-constexpr uint32_t kSetupEvent = 1u << 16;
-constexpr uint32_t kFrameEvent = 1u << 17;
-
-constexpr uint32_t kIn0Done = 1u << 0;
-constexpr uint32_t kOut0Done = 1u << 1;
-constexpr uint32_t kIn1Done = 1u << 2;
-constexpr uint32_t kOut1Done = 1u << 3;
 
 constexpr uint16_t kControlPacket = 64;
 

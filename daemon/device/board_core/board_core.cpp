@@ -195,7 +195,6 @@ void BoardCore::check_supply(const BoardInputs& inputs) noexcept {
   const bool low = inputs.supply_mv < limits_.supply_min_mv;
   const bool high = inputs.supply_mv > limits_.supply_max_mv;
   if (supply_.step(low || high)) live_ |= kSupply;
-  // A low supply leaves the switch as it is: it may have fallen under the load of a winding.
   if (supply_settled_.step(!low && !high)) supply_usable_ = true;
   if (supply_high_.step(high)) supply_usable_ = false;
 }

@@ -160,7 +160,7 @@ class BoardCore {
   Persistence supply_{kSupplyMs};
   Persistence supply_high_{kSupplyMs};
   Persistence supply_settled_{0};
-  /// The supply switch may be closed.
+  /// The supply switch may be closed. A supply that falls leaves it so: a winding may be the load.
   bool supply_usable_ = true;
   Persistence bridge_{kBridgeFaultMs};
   Persistence stuck_{kStuckMs};

@@ -184,6 +184,7 @@ test('a contact of VBUS that bounces does not end the connection', withBoard((bo
     board.mcu.gpio[24].setInputValue(true);
     board.run(5);
   }
+  board.run(150);
   assertDriving(board, driver);
   assert.equal(board.events.filter(({ awake }) => !awake).length, 0);
 }));
