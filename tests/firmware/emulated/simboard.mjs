@@ -88,6 +88,7 @@ class ServedBoard {
   unplug(ms) {
     this.host.plug(false);
     this.board.chip.setPowered(false);
+    this.awake = false;
     this.note('unplugged');
     this.alone(ms);
     this.note('plugged');
