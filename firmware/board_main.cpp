@@ -19,7 +19,7 @@ namespace {
 constexpr uint32_t kWakeups = kTimerInterrupt | kUsbInterrupt | kPinInterrupt;
 
 // Not on the stack, whose depth is that of the calls.
-constinit board::BoardCore core;
+constinit board::BoardCore core{board::reference_limits()};
 constinit PicoPort port;
 
 void start_usb_serial() noexcept {

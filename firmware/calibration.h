@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The figures of one board. Those here are the design's, for a board that has not been measured
-// yet. A board of your own: copy this file, enter what firmware/board/bring-up.md had you write
-// down, and
+// yet. A board of your own: copy this file, enter the figures of firmware/board/bring-up.md,
+// step 6, and
 //
 //   make firmware-calibrated CALIBRATION=my-board.h
 //
@@ -13,11 +13,11 @@
 
 namespace hedgehog::firmware::calibration {
 
-/// Step 2: the amplifiers' outputs at no current, times 3.300 / AVDD.
+/// Step 6, by telemetry: what is read without a current.
 inline constexpr int32_t kCurrentZeroUv[] = {1'650'000, 1'650'000, 1'650'000};
-/// Step 5: their rise with 5.00 A, over 5, times 3.300 / AVDD.
+/// Step 6, by telemetry: what is read of 5.00 A each way.
 inline constexpr uint32_t kCurrentUvPerA[] = {50'000, 50'000, 50'000};
-/// Step 5: the same of U5.
+/// Step 6, by a meter at the output of U5: its rise with 5.00 A, over 5, times 3.300 / AVDD.
 inline constexpr uint32_t kShuntUvPerA = 100'000;
 
 }  // namespace hedgehog::firmware::calibration

@@ -8,8 +8,10 @@ namespace {
 
 // 2.14.3: bits of RESETS.
 constexpr uint32_t kPllResets = (1u << 12) | (1u << 13);
+constexpr uint32_t kUsbReset = 1u << 24;
+// Pins, their pads, PWM, SPI0, SYSINFO, timer, USB.
 constexpr uint32_t kPeripheralResets =
-    (1u << 5) | (1u << 8) | (1u << 14) | (1u << 16) | (1u << 21) | (1u << 24);
+    (1u << 5) | (1u << 8) | (1u << 14) | (1u << 16) | (1u << 19) | (1u << 21) | kUsbReset;
 
 void restart(uint32_t blocks) noexcept {
   set_bits(kResets, blocks);
@@ -57,5 +59,7 @@ void start_clocks() noexcept {
 }
 
 void start_peripherals() noexcept { restart(kPeripheralResets); }
+
+void restart_usb() noexcept { restart(kUsbReset); }
 
 }  // namespace hedgehog::firmware

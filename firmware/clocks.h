@@ -10,4 +10,7 @@ void start_clocks() noexcept;
 /// The peripherals of this board, out of reset.
 void start_peripherals() noexcept;
 
+/// The USB controller as after power-up, except for its memory.
+void restart_usb() noexcept;
+
 }  // namespace hedgehog::firmware

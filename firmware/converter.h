@@ -11,9 +11,9 @@ namespace hedgehog::firmware {
 /// REQUIRES: pins and clocks run.
 void start_converter() noexcept;
 
-/// Supply, its current, one of the thermistors in turn, then the currents of the windings one after
-/// the other, so that they are as young as `Wiring::converted_before_us` takes them to be. Six
-/// conversions, 125 us. The thermistors are complete in each third call.
+/// One of the thermistors in turn, the supply, its current, then the currents of the windings one
+/// after the other, so that they are as young as `Wiring::converted_before_us` takes them to be.
+/// Six conversions, 125 us. The thermistors are complete in each third call.
 class Converter {
  public:
   void measure(board::RawInputs& raw) noexcept;

@@ -28,6 +28,7 @@ constexpr uint32_t kPullDown = 1u << 2;
 
 // 4.5.3
 constexpr uint32_t slice(uint32_t number) noexcept { return kPwm + 0x14 * number; }
+constexpr uint32_t kCounter = 0x08;
 constexpr uint32_t kCompare = 0x0C;
 constexpr uint32_t kTop = 0x10;
 constexpr uint32_t kEnableSlices = kPwm + 0xA0;
@@ -48,9 +49,18 @@ void set_compare(const uint16_t (&pwm)[board::kWindings]) noexcept {
   reg(slice(1) + kCompare) = pwm[2];
 }
 
+/// From here on the flags show the end of this period, and the compare values are written within
+/// it: not in its last half microsecond.
+void begin_turn() noexcept {
+  constexpr uint32_t kLastCount = kPwmTop - 64;
+  const uint32_t begin = now_us();
+  while (reg(slice(0) + kCounter) >= kLastCount && now_us() - begin < kMaxTurnUs) {
+  }
+  reg(kWraps) = kBridgeSlices;
+}
+
 /// The compare values count from the end of the period on (4.5.2.3).
 void wait_for_wrap() noexcept {
-  reg(kWraps) = kBridgeSlices;
   const uint32_t begin = now_us();
   while ((reg(kWraps) & kBridgeSlices) != kBridgeSlices && now_us() - begin < kMaxTurnUs) {
   }
@@ -99,8 +109,9 @@ void set_pins(const board::PinOutputs& pins) noexcept {
   uint32_t direction = 0;
   for (uint32_t k = 0; k < board::kWindings; ++k)
     if (pins.reverse[k]) direction |= bit(kDirPin + k);
-  set_compare(pins.pwm);
   const uint32_t turned = (reg(kOutputs) ^ direction) & kDirBits;
+  if (turned != 0) begin_turn();
+  set_compare(pins.pwm);
   if (turned != 0) {
     wait_for_wrap();
     reg(kSetOutputs) = turned & direction;
@@ -112,9 +123,16 @@ void set_pins(const board::PinOutputs& pins) noexcept {
   reg(slice(kFanSlice) + kCompare) = pins.fan_pwm;
 }
 
-void set_safe_pins() noexcept { set_pins(board::safe_pins(pico_wiring())); }
+void set_safe_pins() noexcept {
+  board::PinOutputs pins = board::safe_pins(pico_wiring());
+  // As it is: open, it may have a reason; closed, opening it would interrupt a current.
+  pins.supply_switch_closed = (reg(kOutputs) & bit(kSupplySwitchPin)) != 0;
+  set_pins(pins);
+}
 
 uint8_t faults_low() noexcept { return static_cast<uint8_t>(~(reg(kInputs) >> kFaultPin) & 7u); }
+
+bool bridges_awake() noexcept { return (reg(kOutputs) & bit(kSleepPin)) != 0; }
 
 bool vbus_present() noexcept { return (reg(kInputs) & bit(kVbusPin)) != 0; }
 

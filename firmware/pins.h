@@ -37,6 +37,9 @@ void set_safe_pins() noexcept;
 /// Bit k: FLT of driver k is low.
 uint8_t faults_low() noexcept;
 
+/// SLP as it is driven.
+bool bridges_awake() noexcept;
+
 /// The host's cable is in.
 bool vbus_present() noexcept;
 

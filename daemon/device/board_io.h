@@ -26,7 +26,7 @@ enum BoardFault : std::uint16_t {
   kFaultSensorOpen = 1u << 5,   // thermistor line at the rail
   kFaultSensorShort = 1u << 6,  // thermistor line at ground
   kFaultStuckBridge = 1u << 7,  // current for 20 ms after the safe state: supply switch opened
-  kFaultSupply = 1u << 8,       // supply voltage out of 6.5..30 V
+  kFaultSupply = 1u << 8,       // supply voltage out of range (reference board: 6.5..18 V)
   kFaultUnexpectedCurrent = 1u << 9,  // more current than the duties can drive
   kFaultCurrentSense = 1u << 10,      // a driven winding's current is not measured
 };

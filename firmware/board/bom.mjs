@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bill of materials of a board, from its netlist.
 
-const kOrder = ["PICO", "G2_18V17", "INA240A2", "INA240A3", "MCP3208", "REF3033", "BTS50010", "LVC1G07", "SHUNT", "TVS", "FUSE", "POLYFUSE"];
+const kOrder = ["PICO", "G2_18V17", "INA240A2", "INA240A3", "MCP3208", "REF3033", "BTS50010", "LVC1G07", "LM2940", "SHUNT", "TVS", "FUSE", "POLYFUSE"];
 
 function value(part) {
   if (part.valueText === undefined) return "";

@@ -3,7 +3,7 @@
 // and the small parts on it, comes from the netlist.
 import { colour, Sheet } from "./sheet.mjs";
 
-const kRails = new Set(["GND", "VM", "12V", "12V_IN", "VM_SW", "FAN_12V", "VBUS", "3V3", "AVDD"]);
+const kRails = new Set(["GND", "VM", "12V", "12V_IN", "VM_SW", "FAN_F", "FAN_12V", "VBUS", "3V3", "AVDD"]);
 const kSmall = new Set(["resistor", "capacitor", "trimmer"]);
 const kRow = 14;
 /** Numbers of the module's pins. */
@@ -118,21 +118,16 @@ class Diagram {
     // The divider, drawn where it is tapped; what it reaches stands at the converter.
     sheet.dot(190, y + 3);
     sheet.line([[190, y + 3], [190, y + 12]]);
-    sheet.text(24, 160, "From 12V, before the switch: F2 (fan) and", { size: 10 });
-    const rows = [["R3", "12V", "V_SUP"], ["R4", "V_SUP", "GND"], ["C4", "12V", "GND, beside Q1"]];
+    sheet.text(24, 160, "From 12V, before the switch:", { size: 10 });
+    const rows = [["F2", "12V", "FAN_F, of the fan"], ["R3", "12V", "V_SUP"], ["R4", "V_SUP", "GND"], ["C4", "12V", "GND, beside Q1"]];
     rows.forEach(([ref, from, to], i) => sheet.text(24, 174 + 13 * i, `${ref} ${this.part(ref).valueText}  from ${from} to ${to}`, { size: 10 }));
     for (const [ref] of rows) this.shown.add(ref);
   }
 
   fan() {
-    const { sheet } = this;
     this.module("U8", 820, 150, 60, ["A", "VCC"], ["Y", "GND"]);
-    const j6 = this.module("J6", 1080, 66, 50, ["12V", "GND", "TACH", "PWM"], [], { wired: ["12V"], title: "FAN" });
-    const [x, y] = j6.at.get("12V");
-    sheet.horizontal(x - 90, y, `F2 ${this.part("F2").value} A`, { stroke: colour("12V") });
-    sheet.line([[x - 50, y], [x, y]], { stroke: colour("12V") });
-    this.net("12V", x - 96, y + 3, "end");
-    this.net("FAN_12V", x - 26, y - 5);
+    this.module("J6", 1080, 66, 50, ["12V", "GND", "TACH", "PWM"], [], { title: "FAN" });
+    this.module("U9", 700, 219, 60, ["IN", "GND"], ["OUT"]);
     this.module("U6", 970, 200, 70, ["IN", "GND"], ["OUT"]);
   }
 

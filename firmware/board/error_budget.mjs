@@ -6,6 +6,9 @@ import { capacitorsOn, resistorsOn } from "./netlist.mjs";
 
 /** The electronics are between -5 and 55 C, calibrated at 25. */
 export const kElectronicsK = 30;
+/** Of the telemetry in a mean (bring-up.md, step 6). */
+const kReadings = 500;
+const kCalibratedA = 5;
 /** A multimeter or ammeter that one has, and its clamp. */
 const kMeter = 0.005;
 const kWindingA = 16.5;
@@ -53,18 +56,29 @@ function inLine(board, types, name, at) {
     ["converter, gain", converter.gain_error_lsb / 4096], ...later];
   const zeroDrift = [["amplifier, drift", amp.offset_drift_uv_k * 1e-6 * kElectronicsK / shunt.value],
     ["half a step", step / 2]];
-  const divided = circuit.zero > 0 ? [["divider of the zero", amp.divider_error * circuit.zero / voltsPerUnit]] : [];
+  const divided = circuit.zero > 0 ? [["divider of the zero", amp.divider_error * circuit.zero / voltsPerUnit],
+    ["converter, gain at the zero", converter.gain_error_lsb * step * circuit.zero / fullScale(board, at)]] : [];
   const zero = [["amplifier", amp.offset_uv * 1e-6 / shunt.value], ...divided,
     ["converter, zero", converter.offset_lsb * step], ...zeroDrift];
   const seconds = filterSeconds(board, at);
   const band = Math.PI / 2 * Math.min(kAmplifierHz, 1 / (2 * Math.PI * seconds));
+  const noise = [["amplifier", kAmplifierNoiseV * Math.sqrt(band) / shunt.value], ["resolution", step / Math.sqrt(12)]];
+  // Conversions and PWM have one clock, and 20 periods are a millisecond: always the same phase of the ripple is converted.
   const ripple = circuit.zero > 0 ? rippleA(board, kPwmHz) : kSupplyRippleA / (4 * kPwmHz * seconds);
-  const noise = [["amplifier", kAmplifierNoiseV * Math.sqrt(band) / shunt.value], ["resolution", step / Math.sqrt(12)],
-    ["ripple at 20 kHz", ripple / Math.sqrt(12)]];
+  const bias = [budget(`${name} bias while driven`, "A", [["half the ripple at 20 kHz, half the supply on", ripple / 2]])];
+  // Of the current that a small duty drives: the ripple is supply d (1 - d) / (L f), the current supply d / R.
+  if (circuit.zero > 0) bias.push(budget(`${name} bias while driven, of the current`, "",
+    [["half the ripple at 20 kHz, a small share of the supply on", board.winding.ohm / (2 * board.winding.henry * kPwmHz)]]));
+  const mean = [["mean of the readings", root(noise) / Math.sqrt(kReadings)]];
+  // Both are read through the converter, whose errors are in them; the supply's amplifier cannot show its zero.
+  const calibrated = circuit.zero > 0
+    ? [budget(`${name} gain, calibrated`, "", [["ammeter", kMeter],
+      ["converter, linearity at 5 A each way", 2 * converter.inl_lsb * step / (2 * kCalibratedA)], ...later]),
+      budget(`${name} zero`, "A", zero), budget(`${name} zero, calibrated`, "A", [...zeroDrift, ...mean])]
+    : [budget(`${name} gain, calibrated`, "", [["ammeter", kMeter], ["voltmeter, two ranges", kMeter], ["converter, gain", converter.gain_error_lsb / 4096], ...later]),
+      budget(`${name} zero`, "A", zero)];
   const floor = amp.floor_v ? [budget(`${name} floor`, "A", [["lowest output", amp.floor_v / voltsPerUnit]])] : [];
-  return [...floor, budget(`${name} gain`, "", gain), budget(`${name} gain, calibrated`, "", [["ammeter", kMeter], ...later]),
-    budget(`${name} zero`, "A", zero), budget(`${name} zero, calibrated`, "A", zeroDrift),
-    budget(`${name} noise`, "A", noise)];
+  return [...floor, budget(`${name} gain`, "", gain), ...calibrated, ...bias, budget(`${name} noise`, "A", noise)];
 }
 
 function driverCs(board, types, name, at) {

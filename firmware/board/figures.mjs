@@ -45,6 +45,6 @@ export function flybackText(board, types) {
 export const figures = (boards, types) => [
   "# Figures of the boards", "",
   "Written by `board.mjs write` from netlists and parts. *Combined*: root of the sum of squares of the limits; *sum*: all of them at their limit, with the same sign.",
-  "Electronics between −5 and 55 °C, calibrated at 25 °C.", "",
+  "Electronics between −5 and 55 °C, calibrated at 25 °C, the windings' currents through the converter ([bring-up.md](bring-up.md), step 6).", "",
   ...boards.map((board) => errorBudgetText(board, types)), flybackText(boards[0], types),
 ].join("\n");

@@ -105,6 +105,7 @@ function parseLine(board, types, line, problem, include) {
   else if (head === "safe") board.safe.push({ net: rest[0], level: rest[1], states: rest.slice(2) });
   else if (head === "free") board.free.push(rest[0]);
   else if (head === "drive") board.drives.set(rest[0], parseFloat(rest[1]));
+  else if (head === "usb") board.usbMa = parseFloat(rest[0]);
   else if (head === "way") board.way = { from: rest[0], to: rest[1], through: rest.slice(2) };
   else if (head === "winding") {
     const [henry, ohm, amps, chopAmps] = rest.map((text) => parseFloat(text));

@@ -54,6 +54,15 @@ export function currents(board, types) {
   return found;
 }
 
+/** A board without a supply of its own draws from VBUS what its descriptor asks for, which is at most 500 mA (USB 2.0, 7.2.1). */
+export function usbPower(board, types) {
+  const ma = drawnMa(board, types, "VBUS");
+  const found = [];
+  if (!(board.usbMa <= 500)) found.push(`the descriptor asks for ${board.usbMa} mA`);
+  if (!(ma <= board.usbMa)) found.push(`VBUS draws ${ma.toFixed(1)} mA, the descriptor asks for ${board.usbMa} mA`);
+  return found;
+}
+
 /** Parts in the way of the power carry the fuse's current, the fuse a quarter more than the load's. */
 export function powerPath(board, types) {
   const found = [];
@@ -109,13 +118,31 @@ export function converterRange(board, types) {
   return found;
 }
 
-/** Bridges that fall asleep at full current lift their supply no further than they stand. */
+/** Nets that VM lifts: through fuses, the closed switch and shunts. */
+function liftedNets(board) {
+  const seen = new Set(["VM"]);
+  for (const net of seen)
+    for (const part of board.parts.values()) {
+      if (!["fuse", "polyfuse", "switch", "shunt"].includes(part.kind)) continue;
+      const ends = ["1", "2", "VS", "OUT"].map((name) => part.pins.get(name)).filter(Boolean);
+      // Shunts in the windings' leads are behind the bridges.
+      if (ends.includes(net)) for (const end of ends) seen.add(end);
+    }
+  return seen;
+}
+
+/** Bridges that fall asleep at full current lift their supply, and all that is before the closed switch, no further than each part stands. */
 export function sleepingBridges(board, types) {
   const driver = types.get("G2_18V17");
   const found = [];
   for (const { what, peakV, clampJ, limitV, energyJ } of sleepAtFullCurrent(board, types)) {
     if (peakV > limitV) found.push(`${what}: VM rises to ${peakV.toFixed(1)} V, ${limitV} V allowed (${driver.name})`);
     if (clampJ > energyJ) found.push(`${what}: the clamp takes ${clampJ.toFixed(2)} J of ${energyJ} J`);
+    for (const net of liftedNets(board))
+      for (const { part, name, peak_v, v } of pinsOn(board, types, net)) {
+        const stands = part.volts ?? peak_v ?? v?.max;
+        if (part.kind !== "driver" && peakV > stands) found.push(`${what}: ${part.ref}.${name} stands ${stands} V, ${net} rises to ${peakV.toFixed(1)} V`);
+      }
   }
   return found;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lines, symbols and boxes of a wiring diagram as SVG, 4 units a millimetre.
 
-const kColours = { GND: "#333", VM: "#b00020", "12V": "#b00020", "12V_IN": "#b00020", VM_SW: "#b00020", FAN_12V: "#b00020",
+const kColours = { GND: "#333", VM: "#b00020", "12V": "#b00020", "12V_IN": "#b00020", VM_SW: "#b00020", FAN_F: "#b00020", FAN_12V: "#b00020",
   VBUS: "#b05a00", "3V3": "#b05a00", AVDD: "#7a3fa0" };
 export const colour = (net) => kColours[net] ?? "#0b4f8a";
 

@@ -31,7 +31,7 @@ constexpr auto string_descriptor(const char (&text)[kSize]) noexcept {
 constexpr uint8_t kDevice[] = {18,   1,    0x10, 0x02, 0,    0, 0, 64, 0x09,
                                0x12, 0x01, 0x00, 0x02, 0x01, 1, 2, 3,  1};
 constexpr uint8_t kConfiguration[] = {
-    9, 2, 32,   0, 1,  1,    0,    0xC0, 50,  // one interface, a supply of its own, 100 mA
+    9, 2, 32,   0, 1,  1,    0,    0x80, 75,  // one interface, fed by the bus, 150 mA
     9, 4, 0,    0, 2,  0xFF, 0x48, 0x01, 0,   // the vendor's class, board protocol 01
     7, 5, 0x01, 2, 64, 0,    0,               // bulk OUT 01
     7, 5, 0x81, 2, 64, 0,    0};              // bulk IN 81

@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/usb/device.h"
 
+#include "firmware/clocks.h"
 #include "firmware/pins.h"
 #include "firmware/registers.h"
+#include "firmware/usb/controller.h"
 
 namespace hedgehog::firmware {
+
+using namespace usb_controller;
+
 namespace {
-
-// 4.1.2.7.1, 4.1.4: the controller's memory.
-constexpr uint32_t kEndpoint1InControl = kUsbMemory + 0x08;
-constexpr uint32_t kEndpoint1OutControl = kUsbMemory + 0x0C;
-constexpr uint32_t kIn0 = kUsbMemory + 0x80;
-constexpr uint32_t kOut0 = kUsbMemory + 0x84;
-constexpr uint32_t kIn1 = kUsbMemory + 0x88;
-constexpr uint32_t kOut1 = kUsbMemory + 0x8C;
-constexpr uint32_t kControlBuffer = 0x100;
-constexpr uint32_t kOutBuffer = 0x180;
-constexpr uint32_t kInBuffer = 0x1C0;
-constexpr uint32_t kBulkEndpoint = (1u << 31) | (1u << 29) | (2u << 26);
-
-// Buffer control.
-constexpr uint32_t kFull = 1u << 15;
-constexpr uint32_t kData1 = 1u << 13;
-constexpr uint32_t kStall = 1u << 11;
-constexpr uint32_t kAvailable = 1u << 10;
-constexpr uint32_t kLength = 0x3FF;
-
-// 4.1.4
-constexpr uint32_t kAddress = kUsb + 0x00;
-constexpr uint32_t kMainControl = kUsb + 0x40;
-constexpr uint32_t kFrameNumber = kUsb + 0x48;
-constexpr uint32_t kSieControl = kUsb + 0x4C;
-constexpr uint32_t kSieStatus = kUsb + 0x50;
-constexpr uint32_t kBuffers = kUsb + 0x58;
-constexpr uint32_t kStallArm = kUsb + 0x68;
-constexpr uint32_t kMuxing = kUsb + 0x74;
-constexpr uint32_t kPower = kUsb + 0x78;
-constexpr uint32_t kEnabledEvents = kUsb + 0x90;
-constexpr uint32_t kEvents = kUsb + 0x98;
-
-constexpr uint32_t kPullUp = 1u << 16;
-constexpr uint32_t kStatusSetup = 1u << 17;
-constexpr uint32_t kStatusReset = 1u << 19;
-constexpr uint32_t kStatusSuspended = 1u << 4;
-
-constexpr uint32_t kBufferEvent = 1u << 4;
-constexpr uint32_t kResetEvent = 1u << 12;
-constexpr uint32_t kSuspendEvent = 1u << 14;
-constexpr uint32_t kSetupEvent = 1u << 16;
-constexpr uint32_t kFrameEvent = 1u << 17;
-
-constexpr uint32_t kIn0Done = 1u << 0;
-constexpr uint32_t kOut0Done = 1u << 1;
-constexpr uint32_t kIn1Done = 1u << 2;
-constexpr uint32_t kOut1Done = 1u << 3;
 
 constexpr uint16_t kControlPacket = 64;
 
@@ -61,6 +18,8 @@ constexpr uint16_t kControlPacket = 64;
 /// the controller. Without frames there is no such time.
 constexpr uint32_t kArmBeforeUs = 800;
 constexpr uint32_t kNoFramesUs = 2000;
+/// A contact bounces for less; USB 2.0 7.1.7.3 allows 100 ms until the pull-up.
+constexpr uint32_t kVbusSettledUs = 20'000;
 
 volatile uint8_t* memory(uint32_t offset) noexcept {
   return reinterpret_cast<volatile uint8_t*>(kUsbMemory + offset);
@@ -90,19 +49,50 @@ void UsbDevice::start() noexcept {
   reg(kMainControl) = 1;
   reg(kSieControl) = 1u << 29;
   reg(kEnabledEvents) = kBufferEvent | kResetEvent | kSuspendEvent | kSetupEvent | kFrameEvent;
+  vbus_changed_us_ = now_us();
 }
 
 void UsbDevice::attach(bool wanted) noexcept {
   if (wanted == attached_) return;
   attached_ = wanted;
-  // 7.1.5 of the specification: a device with a supply of its own pulls up nothing without VBUS.
+  // 7.1.5 of the specification: without VBUS nothing is pulled up. This board has no supply then;
+  // one that is fed at VSYS has.
   reg(kSieControl) = (1u << 29) | (wanted ? kPullUp : 0);
   reset_bus_state();
 }
 
+void UsbDevice::follow_vbus() noexcept {
+  const bool present = vbus_present();
+  if (present == attached_)
+    vbus_changed_us_ = now_us();
+  else if (now_us() - vbus_changed_us_ >= kVbusSettledUs)
+    attach(present);
+}
+
+/// A controller that hangs is known by its silence: a host sends a frame each millisecond, or it
+/// suspends the device. Nothing but a reset of the controller ends it (erratum RP2040-E15).
+void UsbDevice::check_progress(uint32_t events) noexcept {
+  if (events != 0) suspended_ = (events & kSuspendEvent) != 0;
+  const bool expected = requests_.configured() && !suspended_ && !bridges_awake();
+  if (events != 0 || !expected)
+    progress_us_ = now_us();
+  else if (now_us() - progress_us_ >= kHungUs)
+    restart();
+}
+
+void UsbDevice::restart() noexcept {
+  restart_usb();
+  // The pull-up is off from here on, until VBUS counts as settled again: the host sees the device
+  // leave and come.
+  attached_ = false;
+  start();
+  reset_bus_state();
+}
+
 void UsbDevice::poll() noexcept {
-  attach(vbus_present());
+  follow_vbus();
   const uint32_t events = reg(kEvents);
+  check_progress(events);
   handle_frame_start(events);
   if ((events & kResetEvent) != 0) {
     clear_bits(kSieStatus, kStatusReset);
@@ -110,12 +100,11 @@ void UsbDevice::poll() noexcept {
     reset_exit_.begin();
   }
   reset_exit_.poll();
+  if ((events & kBufferEvent) != 0) handle_buffers();
   if ((events & kSuspendEvent) != 0) {
     clear_bits(kSieStatus, kStatusSuspended);
-    // What would be sent after a resume is too old by then.
-    in_waiting_ = false;
+    discard_in();
   }
-  if ((events & kBufferEvent) != 0) handle_buffers();
   if ((events & kSetupEvent) != 0) handle_setup();
   arm_in();
 }
@@ -185,6 +174,7 @@ void UsbDevice::act(const UsbAnswer& answer) noexcept {
     case UsbAction::kClearHalt:
       // Either way the endpoint begins anew with DATA0.
       reg(in ? kIn1 : kOut1) = halt ? kStall : 0;
+      reg(kBuffers) = in ? kIn1Done : kOut1Done;
       (in ? in_halted_ : out_halted_) = halt;
       (in ? in_data1_ : out_data1_) = false;
       (in ? in_armed_ : out_armed_) = false;
@@ -196,6 +186,8 @@ void UsbDevice::act(const UsbAnswer& answer) noexcept {
 void UsbDevice::configure(bool configured) noexcept {
   reg(kIn1) = 0;
   reg(kOut1) = 0;
+  // What was completed since the buffers were handled is not that of those armed from here on.
+  reg(kBuffers) = kIn1Done | kOut1Done;
   reg(kEndpoint1InControl) = configured ? kBulkEndpoint | kInBuffer : 0;
   reg(kEndpoint1OutControl) = configured ? kBulkEndpoint | kOutBuffer : 0;
   received_.clear();
@@ -266,10 +258,20 @@ size_t UsbDevice::receive(uint8_t* packet, size_t capacity) noexcept {
 }
 
 void UsbDevice::send(const uint8_t* frame) noexcept {
-  if (!requests_.configured() || in_waiting_ || in_armed_) return;
+  if (!requests_.configured() || suspended_ || in_waiting_ || in_armed_) return;
   for (size_t i = 0; i < sizeof(in_frame_); ++i) in_frame_[i] = frame[i];
   in_waiting_ = true;
   arm_in();
+}
+
+/// What would be sent after a resume is too old by then. The bus has been idle for 3 ms: the
+/// controller is not sending it.
+void UsbDevice::discard_in() noexcept {
+  in_waiting_ = false;
+  if (!in_armed_) return;
+  reg(kIn1) = 0;
+  in_armed_ = false;
+  in_data1_ = !in_data1_;
 }
 
 void UsbDevice::arm_in() noexcept {

@@ -25,10 +25,17 @@ class UsbDevice {
   size_t receive(uint8_t* packet, size_t capacity) noexcept;
   /// When the last packet was noticed.
   uint32_t arrived_us() const noexcept { return arrived_us_; }
-  /// 64 bytes; dropped while the last are still waiting.
+  /// 64 bytes; dropped while the last are still waiting, and while the bus is suspended.
   void send(const uint8_t* frame) noexcept;
 
+  /// No frame of the bus, no packet, no suspend for so long, with a configured device whose bridges
+  /// sleep: the controller hangs, and is reset. Longer than a resume or a hub's own restart.
+  static constexpr uint32_t kHungUs = 2'000'000;
+
  private:
+  void follow_vbus() noexcept;
+  void check_progress(uint32_t events) noexcept;
+  void restart() noexcept;
   void attach(bool wanted) noexcept;
   void handle_frame_start(uint32_t events) noexcept;
   void reset_bus_state() noexcept;
@@ -40,6 +47,7 @@ class UsbDevice {
   void continue_control() noexcept;
   void send_control_data() noexcept;
   void arm_out() noexcept;
+  void discard_in() noexcept;
   void arm_in() noexcept;
 
   UsbRequests requests_;
@@ -54,6 +62,7 @@ class UsbDevice {
   uint8_t address_ = 0;
 
   bool attached_ = false;
+  bool suspended_ = false;
   bool out_armed_ = false;
   bool out_halted_ = false;
   bool out_data1_ = false;
@@ -67,6 +76,9 @@ class UsbDevice {
   /// The earliest that the last frame can have begun.
   uint32_t frame_start_us_ = 0;
   uint32_t polled_us_ = 0;
+  /// Since when VBUS is other than `attached_`; of the last event.
+  uint32_t vbus_changed_us_ = 0;
+  uint32_t progress_us_ = 0;
 };
 
 }  // namespace hedgehog::firmware

@@ -23,7 +23,7 @@ constexpr uint8_t kEndpoint = 2;
 constexpr uint8_t kVendorFromDevice = 0xC0;
 
 constexpr uint16_t kMicrosoftDescriptorIndex = 7;
-constexpr uint8_t kSelfPowered = 1;
+constexpr uint8_t kBusPowered = 0;
 constexpr uint8_t kOut = 0x01;
 constexpr uint8_t kIn = 0x81;
 
@@ -76,7 +76,7 @@ UsbAnswer UsbRequests::of_device(const SetupPacket& setup) noexcept {
   if ((setup.request_type & kToHost) != 0) {
     switch (setup.request) {
       case kGetStatus:
-        return data(kSelfPowered);
+        return data(kBusPowered);
       case kGetConfiguration:
         return data(configuration_, 0, 1);
       case kGetDescriptor:

@@ -2,6 +2,7 @@
 // The board's own limits: each latches exactly at its boundary, and not a millisecond earlier.
 #include <gtest/gtest.h>
 
+#include "daemon/device/board_core/port.h"
 #include "tests/device/core_bench.h"
 
 namespace hedgehog::board {
@@ -163,6 +164,49 @@ TEST_F(SupplySwitch, StaysOpenUntilArmed) {
   EXPECT_FALSE(bench.outputs.supply_switch_closed);
   bench.arm_and_drive();
   EXPECT_TRUE(bench.outputs.supply_switch_closed);
+}
+
+struct SettledSupply : testing::Test {
+  CoreBench bench{reference_limits()};
+  SettledSupply() { bench.feeding = false; }
+  bool closed_after(int ms, int supply_mv) {
+    bench.inputs.supply_mv = static_cast<std::uint16_t>(supply_mv);
+    bench.run(ms);
+    return bench.outputs.supply_switch_closed;
+  }
+};
+
+TEST_F(SettledSupply, TheSwitchWaitsForASupplyInRangeForTwentyMilliseconds) {
+  EXPECT_FALSE(closed_after(1000, 0));
+  EXPECT_FALSE(closed_after(1000, 6499));
+  EXPECT_FALSE(closed_after(19, 6500));
+  EXPECT_TRUE(closed_after(1, 6500));
+}
+
+TEST_F(SettledSupply, ATwentyFourVoltSupplyNeverClosesIt) {
+  EXPECT_FALSE(closed_after(10'000, 24'000));
+  EXPECT_TRUE(bench.has(kSupply));
+  EXPECT_FALSE(bench.telemetry().supply_switch_closed);
+  EXPECT_FALSE(closed_after(19, 18'000));
+  EXPECT_FALSE(closed_after(1, 18'001)) << "the time begins anew";
+  EXPECT_FALSE(closed_after(19, 18'000));
+  EXPECT_TRUE(closed_after(1, 18'000));
+}
+
+TEST_F(SettledSupply, TooHighOpensItAfterTenMillisecondsTooLowDoesNot) {
+  ASSERT_TRUE(closed_after(20, 12'000));
+  EXPECT_TRUE(closed_after(1000, 0));
+  EXPECT_TRUE(closed_after(20, 12'000));
+  EXPECT_TRUE(closed_after(9, 18'001));
+  EXPECT_FALSE(closed_after(1, 18'001));
+}
+
+TEST_F(SettledSupply, WithoutASettlingTimeItIsClosedAtPowerUp) {
+  CoreBench simple;
+  simple.feeding = false;
+  simple.inputs.supply_mv = 0;
+  simple.run(1);
+  EXPECT_TRUE(simple.outputs.supply_switch_closed);
 }
 
 // -- tightening ---------------------------------------------------------------------------------

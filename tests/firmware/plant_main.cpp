@@ -217,7 +217,7 @@ int main(int argument_count, char** arguments) {
   device::SimulatedBoard world(given->board);
   std::optional<Host> host;
   if (given->fd >= 0) host.emplace(given->fd, world);
-  board::BoardCore core;
+  board::BoardCore core{board::reference_limits()};
   for (std::string line; std::getline(std::cin, line);) {
     std::istringstream words(line);
     std::string command;
@@ -232,7 +232,7 @@ int main(int argument_count, char** arguments) {
     } else if (command == "answer" && host) {
       host->respond(words);
     } else if (command == "core") {
-      core = board::BoardCore{};
+      core = board::BoardCore{board::reference_limits()};
       std::printf("ok\n");
     } else if (!set_world(world, command, words)) {
       std::fprintf(stderr, "plant: %s\n", line.c_str());

@@ -46,10 +46,48 @@ test("the amplifiers' zeros are half of their supply, within what the firmware t
 });
 
 test("5 A raise the outputs by what shunt and amplifier give", () => {
-  for (const [at, pattern] of [["U7.CH0", /IA rises by (\d+) mV ± (\d+) %/], ["U7.CH3", /IVM rises to (\d+) mV ± (\d+) %/]]) {
-    const [millivolts, percent] = printed(pattern);
-    within(5e3 * circuitAt(reference, kTypes, at).voltsPerUnit, 0.012, [millivolts * (1 - percent / 100), millivolts * (1 + percent / 100)]);
-  }
+  const [millivolts, percent] = printed(/IVM\s+rises to (\d+) mV ± (\d+) %/);
+  within(5e3 * circuitAt(reference, kTypes, "U7.CH3").voltsPerUnit, 0.012, [millivolts * (1 - percent / 100), millivolts * (1 + percent / 100)]);
+});
+
+test("the figures of the windings are reckoned with the design's scale, and expected where the firmware takes them", () => {
+  const { voltsPerUnit } = circuitAt(reference, kTypes, "U7.CH0");
+  const wiring = sourceText("firmware/pico_wiring.h");
+  const limit = (name) => Number(new RegExp(`${name} = ([\\d']+);`).exec(wiring)[1].replaceAll("'", ""));
+  const [zero, scale, deviation] = [/`kCurrentZeroUv` \| ([\d ]+) \+ ([\d ]+) × .*± ([\d ]+) of 1 650 000/]
+    .flatMap((pattern) => pattern.exec(guide).slice(1)).map((text) => Number(text.replaceAll(" ", "")));
+  assert.deepEqual([zero, scale, deviation], [1.65e6, 1e6 * voltsPerUnit, limit("kMaxZeroDeviationUv")]);
+  const [, perA, percent] = /`kCurrentUvPerA` \| ([\d ]+) × \(plus − minus\) \/ 10\.00.*within (\d) %/.exec(guide);
+  assert.deepEqual([Number(perA.replaceAll(" ", "")), Number(percent)], [scale, limit("kMaxScaleDeviationPercent")]);
+});
+
+test("each direction of step 7 drives the winding at the connector beside it", () => {
+  const device = sourceText("config/devices.d/hedgehog-86.json");
+  assert.match(device, /"coil_matrix": \[\[1, 0, 0\], \[0, 1, 0\], \[0, 0, 1\]\]/);
+  assert.match(device, /towards the front, the left and the top/);
+  ["front", "left", "up"].forEach((direction, k) => {
+    const [, letter, axis, connector] = new RegExp(`\\| \`${direction}\`, .*? \\| ([ABC]) \\(([xyz])\\) \\| (J\\d) \\|`).exec(guide);
+    assert.equal(axis, "xyz"[k]);
+    // From the pin of bridge k of the firmware to the connector.
+    const pwm = reference.parts.get("U1").pins.get(`GP${Number(/kPwmPin = (\d);/.exec(sourceText("firmware/pins.h"))[1]) + k}`);
+    assert.equal(pwm, `PWM_${letter}`);
+    const driver = [...reference.parts.values()].find((part) => part.kind === "driver" && part.pins.get("PWM") === pwm);
+    const shunt = [...reference.parts.values()].find((part) => part.kind === "shunt" && part.pins.get("1") === driver.pins.get("OUTA"));
+    assert.equal(reference.parts.get(connector).pins.get("1"), shunt.pins.get("2"));
+  });
+  const step7 = /\n## 7\. [^]*?(?=\n## )/.exec(guide)[0];
+  assert.match(step7, /Coil on J2 and nothing on J3 and J4/);
+  assert.match(step7, /hedgehogctl hold front --current-a 0\.5/);
+});
+
+test("the supply's voltages in the warning are those of the clamp, the connector and the firmware", () => {
+  const warning = /\*\*Never more than (\d+) V at J1\.\*\* D1 conducts from (\d+) V on and a supply of 24 V burns it: about (\d+) A/.exec(guide).slice(1).map(Number);
+  const tvs = kTypes.get("TVS");
+  const amps = (24 - tvs.breakdown_v) * tvs.clamp_a / (tvs.clamp_v - tvs.breakdown_v);
+  assert.deepEqual(warning, [kTypes.get("SUPPLY").pins.get("+").v.max, Number(/([\d.]+)\.\./.exec(tvs.source.replace("SMCJ series: ", ""))[1]), Math.round(amps)]);
+  const port = sourceText("daemon/device/board_core/port.h");
+  assert.equal(Number(/limits\.supply_max_mv = ([\d']+);/.exec(port)[1].replace("'", "")) / 1e3, tvs.standoff_v);
+  assert.match(guide, /closes Q1 only at 6\.5 to\s+18 V/);
 });
 
 test("the thermistors' voltages are those of their curve", () => {

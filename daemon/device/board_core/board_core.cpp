@@ -103,9 +103,7 @@ void BoardCore::check_inputs(const BoardInputs& inputs) noexcept {
   follow_currents(inputs);
   check_current();
   check_sensor(inputs);
-  const bool supply_bad =
-      inputs.supply_mv < limits_.supply_min_mv || inputs.supply_mv > limits_.supply_max_mv;
-  if (supply_.step(supply_bad)) live_ |= kSupply;
+  check_supply(inputs);
   if (bridge_.step(inputs.bridge_faults != 0)) live_ |= kBridge;
   latched_ |= live_;
   check_dead_man();
@@ -193,6 +191,14 @@ void BoardCore::check_sensor(const BoardInputs& inputs) noexcept {
   if (sensor_hot_.step(hot)) live_ |= kOverHeat;
 }
 
+void BoardCore::check_supply(const BoardInputs& inputs) noexcept {
+  const bool low = inputs.supply_mv < limits_.supply_min_mv;
+  const bool high = inputs.supply_mv > limits_.supply_max_mv;
+  if (supply_.step(low || high)) live_ |= kSupply;
+  if (supply_settled_.step(!low && !high)) supply_usable_ = true;
+  if (supply_high_.step(high)) supply_usable_ = false;
+}
+
 void BoardCore::check_dead_man() noexcept {
   if (armed() && !fed()) latched_ |= kDeadMan;
 }
@@ -227,7 +233,7 @@ void BoardCore::decide() noexcept {
       }
     }
   }
-  outputs_.supply_switch_closed = (latched_ & kStuckBridge) == 0;
+  outputs_.supply_switch_closed = supply_usable_ && (latched_ & kStuckBridge) == 0;
   outputs_.fan = fan();
 }
 

@@ -79,7 +79,11 @@ struct BoardOutputs {
 class BoardCore {
  public:
   BoardCore() noexcept = default;
-  explicit BoardCore(const BoardLimits& limits) noexcept : full_(limits), limits_(limits) {}
+  explicit constexpr BoardCore(const BoardLimits& limits) noexcept
+      : full_(limits),
+        limits_(limits),
+        supply_settled_(limits.supply_settled_ms),
+        supply_usable_(limits.supply_settled_ms == 0) {}
 
   /// One packet from the host, any bytes. Its request is executed by the next `step`.
   void receive(const uint8_t* bytes, size_t length) noexcept;
@@ -114,6 +118,7 @@ class BoardCore {
   bool unexpected_current() noexcept;
   bool unmeasured_current() noexcept;
   void check_sensor(const BoardInputs& inputs) noexcept;
+  void check_supply(const BoardInputs& inputs) noexcept;
   void check_dead_man() noexcept;
   void answer_arm() noexcept;
   void answer_boot_loader() noexcept;
@@ -153,6 +158,10 @@ class BoardCore {
   Persistence sensor_open_{kSensorBrokenMs};
   Persistence sensor_short_{kSensorBrokenMs};
   Persistence supply_{kSupplyMs};
+  Persistence supply_high_{kSupplyMs};
+  Persistence supply_settled_{0};
+  /// The supply switch may be closed. A supply that falls leaves it so: a winding may be the load.
+  bool supply_usable_ = true;
   Persistence bridge_{kBridgeFaultMs};
   Persistence stuck_{kStuckMs};
   Persistence unexpected_{kUnexpectedMs};

@@ -32,9 +32,13 @@ struct BoardLimits {
   /// Q of the two budgets, A^2 s.
   uint32_t winding_a2s = 9640;
   uint32_t device_a2s = 30700;
-  /// The bridges' range (Pololu G2 18v17: 6.5..30 V).
+  /// The bridges' range (Pololu G2 18v17: 6.5..30 V). Above it for kSupplyMs the supply switch
+  /// opens.
   uint16_t supply_min_mv = 6500;
   uint16_t supply_max_mv = 30000;
+  /// The switch closes once the supply has been in this range for so long, after power-up and after
+  /// a supply that was too high. 0: closed at power-up at any voltage.
+  uint16_t supply_settled_ms = 0;
   /// Minimum resistance of a winding: 0.45 ohm at 25 C less 20 %.
   uint16_t min_resistance_mohm = 360;
   /// In the brake a current decays by at least one part in this per millisecond: L / R of the

@@ -78,6 +78,15 @@ constexpr Wiring reference_wiring() noexcept {
   return wiring;
 }
 
+/// Of the reference board: its clamp (SMCJ18A) stands 18 V and conducts from 20 V on, a 24 V supply
+/// would burn it.
+constexpr BoardLimits reference_limits() noexcept {
+  BoardLimits limits;
+  limits.supply_max_mv = 18'000;
+  limits.supply_settled_ms = 20;
+  return limits;
+}
+
 /// CS is sampled in the middle of the on-time; below this duty the on-time is shorter than the 2 us
 /// of 50 us that the amplifier needs. 1/32767.
 inline constexpr int16_t kMinSampledDutyQ15 = 1311;

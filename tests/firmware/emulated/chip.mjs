@@ -36,13 +36,15 @@ const kSsi = 0x18000000;
 const kIoQspi = 0x40018000;
 /** Bits of RESETS. */
 const kResetOf = new Map([
-  [0x4004c, 0], [0x40014, 5], [0x4001c, 8], [0x40028, 12], [0x4002c, 13], [0x40050, 14], [0x4003c, 16], [0x40054, 21], [0x50110, 24],
+  [0x4004c, 0], [0x40014, 5], [0x4001c, 8], [0x40028, 12], [0x4002c, 13], [0x40050, 14], [0x4003c, 16], [0x40000, 19], [0x40054, 21], [0x50110, 24],
 ]);
 
 function sleepForGood(core) {
   core.enabledInterrupts = 0;
   core.waiting = true;
 }
+
+const kUsbReset = 1 << 24;
 
 const slot = (address) => (address >>> 14) << 2;
 
@@ -55,6 +57,7 @@ export class Chip {
     this.revision = revision; // 1: B0 and B1, 2: B2
     this.baseNanos = 0;
     this.resets = 0;
+    this.powered = this.poweredNext = true;
     this.warnings = [];
     this.busyCycles = 0; // since construction
     this.visited = new Uint8Array(0x42000 >> 1); // executed halfwords of SRAM; only the program's first steps run elsewhere
@@ -90,8 +93,8 @@ export class Chip {
     this.enterSecondStage();
     this.attach(mcu, this);
     clock.tick(kRomMs * 1e6);
-    // The boot loader's own USB is not emulated: the pins stay as after reset.
-    if (this.bootLoader) sleepForGood(this.core);
+    // The boot loader's own USB is not emulated: the pins stay as after reset. So they do without a supply.
+    if (this.bootLoader || !this.powered) sleepForGood(this.core);
   }
 
   /** The ROM's steps: check, copy, jump. */
@@ -128,7 +131,14 @@ export class Chip {
   holdResets() {
     const { mcu } = this;
     const resets = mcu.peripherals[slot(kResets)];
-    resets.reset = 0x1ffffff;
+    let held = 0x1ffffff;
+    Object.defineProperty(resets, 'reset', {
+      get: () => held,
+      set: (bits) => {
+        if (bits & ~held & kUsbReset) this.resetUsb();
+        held = bits;
+      },
+    });
     Object.defineProperty(resets, 'reset_done', { get: () => ~resets.reset & 0x1ffffff });
     const find = mcu.findPeripheral.bind(mcu);
     mcu.findPeripheral = (address) => {
@@ -136,6 +146,14 @@ export class Chip {
       if (bit !== undefined && resets.reset & (1 << bit)) this.warnings.push(`${address.toString(16)} is in reset`);
       return find(address);
     };
+  }
+
+  /** The registers of the USB controller, without its memory; rp2040js keeps them. */
+  resetUsb() {
+    const usb = this.mcu.usbCtrl;
+    for (const name of ['addrEndp', 'mainCtrl', 'intRaw', 'intEnable', 'intForce', 'sieStatus', 'buffStatus', 'sieCtrl', 'epStallArm']) usb[name] = 0;
+    usb.checkInterrupts();
+    this.onUsbReset?.();
   }
 
   /** The flash chip behind SSI: rp2040js provides plain reading, this its unique id. */
@@ -273,7 +291,8 @@ export class Chip {
       if (!this.resetDue) return this.checked(false);
       this.baseNanos += clock.nanosCounter;
       this.resetUs = this.baseNanos / 1000;
-      ++this.resets;
+      if (this.powered === this.poweredNext) ++this.resets;
+      this.powered = this.poweredNext;
       this.boot();
     }
   }
@@ -292,6 +311,16 @@ export class Chip {
     this.core.PC = 0x20000000;
     this.core.waiting = false;
   }
+
+  /** The supply of the processor goes, or comes again. */
+  setPowered(powered) {
+    this.poweredNext = powered;
+    this.resetDue = true;
+  }
+
+  /** A processor in lock-up executes nothing (ARMv6-M Architecture Reference Manual B1.5.15): a fault within a fault, or one whose stack
+   *  frame cannot be written. */
+  lockUp() { sleepForGood(this.core); }
 
   /** Enters a HardFault as the processor does and rp2040js never does. */
   fault() {

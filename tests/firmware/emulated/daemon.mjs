@@ -98,6 +98,15 @@ export class DaemonOnBoard {
     });
   }
 
+  /** The output of a line of a guide, in a shell that finds hedgehogctl; must succeed. */
+  shell(line) {
+    const PATH = `${join(this.programs, 'clients', 'ctl')}:${process.env.PATH}`;
+    return new Promise((resolve, reject) => {
+      execFile('sh', ['-ec', line], { env: { ...this.environment, PATH }, cwd: this.folder },
+        (error, out, err) => (error ? reject(new Error(`${line}: ${out}${err}`)) : resolve(out)));
+    });
+  }
+
   /** Stops the daemon and waits until the board has made itself safe; returns its whole trace. */
   async stop(signal = 'SIGTERM') {
     if (this.child.exitCode === null && this.child.signalCode === null) {

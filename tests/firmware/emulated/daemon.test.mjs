@@ -122,7 +122,11 @@ test('a firmware that hangs is reset by its watchdog, and the daemon does not dr
 
 test('USB that is pulled ends the current, and the board is found again', withDaemon(async (daemon, ball) => {
   await drive(daemon);
-  assertDeadMan(await daemon.control('unplug 300'));
+  const lines = await daemon.control('unplug 300');
+  const { asleep, zero } = ending(lines, 'unplugged');
+  const plugged = lines.find(({ event }) => event === 'plugged');
+  assert.ok(zero.us - asleep.us < kDecayUs, `${zero.us - asleep.us} us`);
+  assert.deepEqual([plugged.awake, plugged.closed, plugged.fan], [false, false, 4999]);
   await eventually('the ball is not armed', async () => (await ball.status()).state !== 'armed');
   await eventually('it can be armed', () => ball.call('device.arm').then((response) => response.state === 'armed', () => false));
   await drive(daemon);

@@ -18,7 +18,7 @@ const error = (kind, winding, value) => ({ board }) => board.plant.command(`erro
 /** The converter's value of the amplifier of winding x. */
 const shown = (value) => ({ board }) => { board.shownCurrent = value; };
 
-/** `again`: the hazard ends with the current, so the board can be armed. */
+/** `again`: the hazard ends with the current, so the board can be armed. `open`: it opens the supply switch too. */
 const kHazards = [
   ...kWindings.map((k) => ({ what: `thermistor ${k} open`, begin: faults(kSim.open, k), fault: kFault.sensorOpen, withinMs: 25 })),
   ...kWindings.map((k) => ({ what: `thermistor ${k} shorted`, begin: faults(kSim.short, k), fault: kFault.sensorShort, withinMs: 25 })),
@@ -27,7 +27,7 @@ const kHazards = [
   ...kWindings.map((k) => ({ what: `bridge ${k} reports a fault`, begin: faults(kSim.bridgeFault, k), fault: kFault.bridge, withinMs: 5 })),
   { what: 'a PWM line is stuck', begin: error(kError.pwmStuck, 1, 0.4), fault: kFault.unexpectedCurrent, withinMs: 30, again: true },
   { what: 'supply below 6.5 V', begin: faults(kSim.supplyLow), fault: kFault.supply, withinMs: 13 },
-  { what: 'supply above 30 V', begin: error(kError.supplyGain, 0, 2.6), fault: kFault.supply, withinMs: 13 },
+  { what: 'supply above 18 V', begin: error(kError.supplyGain, 0, 1.6), fault: kFault.supply, withinMs: 13, open: true },
   { what: 'an amplifier’s line is open', begin: shown(0), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
   { what: 'the converter does not answer', begin: ({ board }) => { board.converterResponds = false; }, fault: kFault.unexpectedCurrent, withinMs: 8 },
   { what: 'an amplifier’s line is at its supply', begin: shown(4095), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
@@ -57,7 +57,7 @@ const kHazards = [
   },
 ];
 
-for (const { what, duty = kFiveAmps, begin, fault, withinMs, again = false } of kHazards) {
+for (const { what, duty = kFiveAmps, begin, fault, withinMs, again = false, open = false } of kHazards) {
   test(`${what}: asleep within ${withinMs} ms, no current`, withBoard((board, driver) => {
     driver.drive(duty);
     assertDriving(board, driver);
@@ -72,6 +72,7 @@ for (const { what, duty = kFiveAmps, begin, fault, withinMs, again = false } of 
     assert.ok(driver.last.faults & fault, `faults ${driver.last.faults}`);
     assertSafePins(board);
     assertNoCurrent(board);
+    if (open) assert.equal(board.pins().closed, false, 'the supply switch');
     console.log(`${what}: asleep after ${tookMs.toFixed(1)} ms`);
     if (again) return;
     driver.arm();
@@ -79,6 +80,46 @@ for (const { what, duty = kFiveAmps, begin, fault, withinMs, again = false } of 
     assertNoCurrent(board);
   }));
 }
+
+/** 12 V of the simulated ball, as the converter reads them. */
+const supplyAt = (board, volts) => board.plant.command(`error ${kError.supplyGain} 0 ${volts / 12}`);
+
+test('the supply switch closes 20 ms after a supply of 6.5 to 18 V has come, with no supply and with 24 V it stays open', withBoard((board, driver) => {
+  supplyAt(board, 24);
+  driver.enumerate();
+  driver.arm();
+  driver.target = { enable: true, duty: kFiveAmps };
+  board.run(200);
+  assert.equal(board.pins().closed, false, 'at 24 V');
+  assert.ok(driver.last.faults & kFault.supply);
+  supplyAt(board, 0);
+  board.run(100);
+  assert.equal(board.pins().closed, false, 'without a supply');
+  assertSafePins(board);
+  assertNoCurrent(board);
+  supplyAt(board, 12);
+  board.run(15);
+  assert.equal(board.pins().closed, false, 'not yet');
+  board.run(10);
+  assert.equal(board.pins().closed, true, 'at 12 V');
+  // A supply that breaks down keeps it closed: a winding's current may be the cause.
+  supplyAt(board, 5);
+  board.run(50);
+  assert.equal(board.pins().closed, true, 'at 5 V');
+  supplyAt(board, 12);
+  driver.arm();
+  board.run(60);
+  assertDriving(board, driver);
+}));
+
+test('a fault of the processor before the supply is known leaves the supply switch open', withBoard((board, driver) => {
+  supplyAt(board, 24);
+  driver.enumerate();
+  board.chip.fault();
+  board.run(1);
+  assertSafePins(board);
+  assert.equal(board.pins().closed, false);
+}));
 
 test('the host’s machine stops, without a frame of the bus: asleep 100 ms +- 1 ms after the last set-point, no current, none when it is back', withBoard((board, driver) => {
   let last = 0;

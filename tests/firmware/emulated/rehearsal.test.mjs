@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of the guides (firmware/board/bring-up.md from step 6 on, daemon/device/bringing-up-a-ball.md) with the programs that they
+// The steps of the guides (firmware/board/bring-up.md from step 5 on, daemon/device/bringing-up-a-ball.md) with the programs that they
 // name, on the flashed image and a ball whose windings, heat, room and electronics are drawn at random within their tolerances: the output
 // of each command, the currents, and what `calibrate` finds against the ball's own values. HEDGEHOG_FIRMWARE_REHEARSAL=thermal: also
 // `calibrate --thermal`, half an hour of the ball's time. HEDGEHOG_FIRMWARE_SEED=N: another ball.
@@ -90,9 +90,61 @@ function checkThermal({ thermal, uncertainty }, gains) {
 
 const trueCurrents = async (ball) => (await ball.call('sim.truth')).current_a;
 
+/** Step 3 of the daemon's guide: `direction` drives winding `k`, and the board's dead-man ends it. */
+async function checkDeadMan(daemon, direction, k) {
+  const { ball } = daemon;
+  await ball.hold(direction, { slot: 'test', current_a: 0.5, lease_ms: 10_000 });
+  await eventually(`0.5 A flow ${direction}`, async () => Math.abs((await trueCurrents(ball))[k]) > 0.45);
+  const lines = await daemon.control('alone 150');
+  const asleep = lines.find((line) => line.event === 'asleep');
+  assert.ok(asleep.since_set_point_us > 99e3 && asleep.since_set_point_us < 101e3, `${asleep.since_set_point_us} us`);
+  assert.match(await does(daemon, 'status'), /board_dead_man/);
+  assert.ok(Math.hypot(...(await trueCurrents(ball))) < 0.1);
+  await eventually('it can be armed', async () => (await daemon.ctl('arm')).code === 0);
+}
+
+const guide = readFileSync(new URL('../../../firmware/board/bring-up.md', import.meta.url), 'utf8');
+const section = (number) => new RegExp(`\n## ${number}\\. [^]*?(?=\n## )`).exec(guide)[0];
+
+test('step 6: 5 A through a shunt while the bridges sleep are in the telemetry, of all three windings, by the command of the guide', async () => {
+  const [, command] = /\n {4}(hedgehogctl telemetry [^]*?)\n\n/.exec(section(6));
+  await withDaemon(await start({ delivered: kDelivered }, 'delivered'), async (daemon, ball) => {
+    await daemon.state('armed');
+    for (const amps of [5, -5]) {
+      await ball.call('sim.set', { errors: [{ kind: 'current_offset_a', coil: 1, value: amps }] });
+      await daemon.state('tripped');
+      const out = await daemon.shell(command.replace(/--count \d+/, '--count 40'));
+      const means = out.trim().split(' ').map(Number);
+      console.log(`${amps} A through RS2: ${means}`);
+      assert.equal(means.length, 3, out);
+      means.forEach((mean, k) => assert.ok(Math.abs(mean - (k === 1 ? amps : 0)) < 0.06, `${out}`));
+      // A zero that is shown as nothing would be no measurement.
+      assert.ok(means[0] !== 0 && means[2] !== 0, out);
+    }
+  });
+});
+
+test('step 7: with a coil on J2 alone the direction that it names drives it, the others trip', async () => {
+  const [, direction] = /hedgehogctl hold (\w+) --current-a/.exec(section(7));
+  assert.equal(direction, 'front');
+  await withDaemon(await start({ delivered: kDelivered }, 'delivered'), async (daemon, ball) => {
+    await daemon.state('armed');
+    // The simulator opens one winding at a time; of the other the most resistance that it has.
+    await ball.call('sim.set', { fault: { faults: ['open_winding'], coil: 1 }, errors: [{ kind: 'resistance_gain', coil: 2, value: 10 }] });
+    await does(daemon, 'hold', direction, '--current-a', '0.5', '--for', '1');
+    await checkDeadMan(daemon, direction, 0);
+    // Any other direction drives an open winding: nothing flows, and from 1.25 A on the daemon trips.
+    await does(daemon, 'hold', 'left', '--current-a', '0.5', '--for', '0.3');
+    assert.ok(Math.hypot(...(await trueCurrents(ball))) < 0.1);
+    await ball.hold('left', { slot: 'test', current_a: 2, lease_ms: 10_000 });
+    await daemon.state('tripped');
+    assert.match(await does(daemon, 'status'), /current_mismatch/);
+  });
+});
+
 test('a ball that has never been driven is brought up with the commands of the guides, as far as its device file', async () => {
   await withDaemon(await start({ delivered: kDelivered }, 'delivered'), async (daemon, ball) => {
-    // bring-up.md, step 6
+    // bring-up.md, step 5
     await daemon.state('armed');
     assert.match(await does(daemon, 'status'), /armed/);
     const { supply_v, temperature_c } = await ball.status();
@@ -106,16 +158,8 @@ test('a ball that has never been driven is brought up with the commands of the g
     assert.match(refused.err, /thermistor|sensor/);
     await ball.call('sim.set', { fault: { faults: [] } });
     await eventually('it can be armed', async () => (await daemon.ctl('arm')).code === 0);
-    // step 7, and step 3 of the daemon's guide
-    await ball.hold('up', { slot: 'test', current_a: 1, lease_ms: 10_000 });
-    await eventually('1 A flows up', async () => Math.abs((await trueCurrents(ball))[2]) > 0.9);
-    const lines = await daemon.control('alone 150');
-    const asleep = lines.find((line) => line.event === 'asleep');
-    assert.ok(asleep.since_set_point_us > 99e3 && asleep.since_set_point_us < 101e3, `${asleep.since_set_point_us} us`);
-    assert.match(await does(daemon, 'status'), /board_dead_man/);
-    assert.ok(Math.hypot(...(await trueCurrents(ball))) < 0.1);
-    await eventually('it can be armed', async () => (await daemon.ctl('arm')).code === 0);
-    // step 4
+    // step 8: step 3 of the daemon's guide in each direction, then its step 4
+    for (const [direction, k] of [['front', 0], ['left', 1], ['up', 2]]) await checkDeadMan(daemon, direction, k);
     const words = ['calibrate', '--name', 'ball-7', '--pushed', 'x=front,y=left,z=up', '--out', found];
     assert.match(await does(daemon, ...words, ...(kThermal ? ['--thermal'] : [])), /ball-7\.json/);
   });

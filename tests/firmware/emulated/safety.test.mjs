@@ -98,6 +98,42 @@ test('a bridge turns round at the end of a PWM period, together with its new dut
   seen.forEach((compare, i) => assert.equal(compare, i % 2 === 0 ? 312 : 1187));
 }));
 
+/** Puts the counter of slice 0, and that of slice 1 with it, to `count` of 6250. */
+const setCounters = (board, count) => board.mcu.pwm.channels.slice(0, 2).forEach(({ timer }) => timer.set(count));
+
+for (const [when, begin] of [
+  ['just after its compare value', (board, at) => { board.onApply = () => at(6247); }],
+  ['just before it', (board, at) => {
+    const { pwm } = board.mcu;
+    const read = pwm.readUint32.bind(pwm);
+    // The first reading of the counter, with a few cycles left.
+    pwm.readUint32 = (offset) => {
+      if (offset === 8) at(6230);
+      return read(offset);
+    };
+  }],
+]) {
+  test(`a period that ends ${when} is written is that in which a bridge turns round: no period has the duty of one direction in the other`, withBoard((board, driver) => {
+    driver.drive(kFiveAmps);
+    let forced = 0;
+    begin(board, (count) => {
+      if (forced === 0 && board.mcu.gpio[3].outputValue === false && driver.target.duty[0] < 0) {
+        ++forced;
+        setCounters(board, count);
+      }
+    });
+    const turned = [];
+    board.mcu.gpio[3].addListener(() => turned.push({ us: board.chip.us, compare: board.pins().pwm[0] }));
+    driver.target = { enable: true, duty: [-0.05, 0, 0] };
+    board.run(6);
+    assert.equal(forced, 1);
+    assert.equal(turned.length, 1);
+    const applied = board.applied.filter(({ value }) => value === 312);
+    assert.equal(turned[0].compare, 312, 'the new duty');
+    assert.ok(turned[0].us - applied[0].us < 5, `${turned[0].us - applied[0].us} us of the new duty in the old direction`);
+  }));
+}
+
 test('a bridge that drives while it should sleep loses its supply', withBoard((board, driver) => {
   driver.enumerate();
   board.run(30);
@@ -122,6 +158,18 @@ test('a program that hangs is reset by the watchdog within 21 ms, and is safe af
   driver.enumerate();
   board.run(20);
   assert.equal(driver.last.mode, kMode.safe);
+  assertNoCurrent(board);
+}));
+
+test('a processor in lock-up is reset by the watchdog within 21 ms, and is safe after it', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  const us = board.chip.us;
+  board.chip.lockUp();
+  board.run(25, () => board.chip.resets === 1);
+  assert.equal(board.chip.resets, 1);
+  assert.ok(board.chip.resetUs - us < 21e3);
+  board.run(20);
+  assert.equal(board.pins().awake, false);
   assertNoCurrent(board);
 }));
 

@@ -84,12 +84,16 @@ class ServedBoard {
     this.host.reading = reading;
   }
 
+  /** The processor is fed by the cable. */
   unplug(ms) {
     this.host.plug(false);
+    this.board.chip.setPowered(false);
+    this.awake = false;
     this.note('unplugged');
     this.alone(ms);
     this.note('plugged');
     this.host.plug(true);
+    this.board.chip.setPowered(true);
   }
 
   /** Executes the lines of a test, once the file is complete. */
