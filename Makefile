@@ -304,10 +304,13 @@ reference-board: build/.packages-dashboard
 	@node firmware/board/board.mjs check
 	@$(STAGE) 'tests reference-board' node --test tests/firmware_board/
 
-# The guest runs what ships: an emulated processor has no time for code that is not optimised.
-test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm
-	@$(LOCK_DEV) $(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb
-	@HEDGEHOG_PROGRAMS=$(CURDIR)/build/bench $(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
+# The guest runs what ships: an emulated processor has no time for code that is not optimised. The firmware's image is not that of
+# `make firmware-guards`, which may run beside it.
+USB_IMAGE := build/firmware/usb
+test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm build/.packages-firmware build/.packages-dashboard
+	@$(LOCK_DEV) $(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb firmware_image firmware_plant
+	@firmware/build.sh $(USB_IMAGE) $(FIRMWARE_IMAGE) >/dev/null
+	@HEDGEHOG_FIRMWARE_ELF=$(CURDIR)/$(USB_IMAGE)/hedgehog-board.elf HEDGEHOG_PROGRAMS=$(CURDIR)/build/bench $(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
 
 # All programs as they ship, with campaigns.
 .PHONY: shipped

@@ -4,21 +4,6 @@
 namespace hedgehog::emulator {
 namespace {
 
-constexpr std::uint8_t kGetStatus = 0;
-constexpr std::uint8_t kClearFeature = 1;
-constexpr std::uint8_t kSetFeature = 3;
-constexpr std::uint8_t kGetDescriptor = 6;
-constexpr std::uint8_t kGetConfiguration = 8;
-constexpr std::uint8_t kSetConfiguration = 9;
-constexpr std::uint8_t kSetInterface = 11;
-
-constexpr std::uint8_t kToHost = 0x80;
-constexpr std::uint8_t kToInterface = 0x81;
-constexpr std::uint8_t kOfEndpoint = 0x02;
-
-constexpr std::uint8_t kDeviceDescriptor = 1;
-constexpr std::uint8_t kConfigurationDescriptor = 2;
-constexpr std::uint8_t kStringDescriptor = 3;
 constexpr std::uint8_t kHidDescriptor = 0x21;
 constexpr std::uint8_t kReportDescriptor = 0x22;
 
@@ -34,11 +19,6 @@ Bytes hid_descriptor(const InterfaceShape& interface) {
 
 }  // namespace
 
-SetupPacket SetupPacket::of(std::span<const Byte, 8> bytes) noexcept {
-  return {bytes[0], bytes[1], device::little_u16(&bytes[2]), device::little_u16(&bytes[4]),
-          device::little_u16(&bytes[6])};
-}
-
 Exported Gadget::exported() const {
   Exported made;
   made.vendor = shape_.vendor;
@@ -48,16 +28,12 @@ Exported Gadget::exported() const {
   return made;
 }
 
-std::optional<std::string> Gadget::command(std::span<const std::string> /*words*/) {
-  return std::nullopt;
-}
-
 std::optional<Bytes> Gadget::handle_control(const SetupPacket& /*setup*/,
                                             std::span<const Byte> /*data*/) {
   return std::nullopt;
 }
 
-void Gadget::plugged() noexcept {
+void Gadget::plugged() {
   waiting_.clear();
   halts_.clear();
 }
@@ -151,7 +127,8 @@ std::optional<Bytes> Gadget::descriptor(const SetupPacket& setup) const {
   if (setup.type == kToHost && type == kConfigurationDescriptor) return configuration_descriptor();
   if (setup.type == kToHost && type == kStringDescriptor)
     return string_descriptor(setup.value & 0xFF);
-  const bool known = setup.type == kToInterface && setup.index < shape_.interfaces.size();
+  const bool known =
+      setup.type == (kToHost | kOfInterface) && setup.index < shape_.interfaces.size();
   if (!known || shape_.interfaces[setup.index].code != kHidClass) return std::nullopt;
   const InterfaceShape& interface = shape_.interfaces[setup.index];
   if (type == kReportDescriptor) return interface.report_descriptor;

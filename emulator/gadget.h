@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The device side of a USB device: descriptors, control requests on endpoint 0, and packets of its
-// other endpoints. Transport: HostSession.
+// A USB device emulated in this process: descriptors, control requests on endpoint 0, and packets
+// of its other endpoints. Transport: HostSession.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emulator/usbip.h"
+#include "emulator/emulated_device.h"
 
 namespace hedgehog::emulator {
 
@@ -41,48 +41,23 @@ struct GadgetShape {
   std::vector<InterfaceShape> interfaces;
 };
 
-struct SetupPacket {
-  std::uint8_t type = 0;
-  std::uint8_t request = 0;
-  std::uint16_t value = 0;
-  std::uint16_t index = 0;
-  std::uint16_t length = 0;
-  static SetupPacket of(std::span<const Byte, 8> bytes) noexcept;
-};
-
-/// The emulator's thread. Runs also while unplugged: a board has its own supply.
-class Gadget {
+/// The emulator's thread.
+class Gadget : public EmulatedDevice {
  public:
   explicit Gadget(GadgetShape shape) : shape_(std::move(shape)) {}
-  Gadget(const Gadget&) = delete;
-  Gadget& operator=(const Gadget&) = delete;
-  virtual ~Gadget() = default;
 
   const GadgetShape& shape() const noexcept { return shape_; }
-  Exported exported() const;
+  Exported exported() const override;
+  std::string product_name() const override { return shape_.name; }
+  std::string serial() const override { return shape_.serial; }
 
-  /// Advances by one millisecond.
-  virtual void step() = 0;
-  /// A command specific to this kind, split into words. Returns the response; nullopt: unknown
-  /// command.
-  virtual std::optional<std::string> command(std::span<const std::string> words);
-  /// One JSON object on one line.
-  virtual std::string status() const = 0;
-
-  /// Resets queues and halts when it is plugged in.
-  void plugged() noexcept;
-  /// Request on endpoint 0; nullopt: stall. `data`: of an OUT request.
-  std::optional<Bytes> control(const SetupPacket& setup, std::span<const Byte> data);
-  void out(std::uint8_t endpoint, std::span<const Byte> data);
-  /// Removes and returns the oldest packet queued for the host.
-  std::optional<Bytes> take(std::uint8_t endpoint);
-
-  /// Faults. A halted endpoint stalls until the host has cleared it `times` times; a silent device
-  /// transfers nothing except on endpoint 0, but keeps running.
-  void halt(std::uint8_t address, int times) { halts_[address] = times; }
-  bool halted(std::uint8_t address) const;
-  void set_silent(bool silent) noexcept { silent_ = silent; }
-  bool silent() const noexcept { return silent_; }
+  /// Resets queues and halts.
+  void plugged() override;
+  std::optional<Bytes> control(const SetupPacket& setup, std::span<const Byte> data) override;
+  void out(std::uint8_t endpoint, std::span<const Byte> data) override;
+  std::optional<Bytes> take(std::uint8_t endpoint) override;
+  void halt(std::uint8_t address, int times) override { halts_[address] = times; }
+  bool halted(std::uint8_t address) const override;
 
  protected:
   /// Queues a packet for the host. If more than `kWaiting` are queued, the oldest is lost.
@@ -104,7 +79,6 @@ class Gadget {
   GadgetShape shape_;
   std::map<std::uint8_t, std::deque<Bytes>> waiting_;
   std::map<std::uint8_t, int> halts_;
-  bool silent_ = false;
   std::uint64_t lost_ = 0;
 };
 

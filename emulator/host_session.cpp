@@ -10,7 +10,6 @@
 namespace hedgehog::emulator {
 namespace {
 
-constexpr std::uint8_t kIn = 0x80;
 /// Limit of the send buffer for a host that does not read its responses.
 constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
 
@@ -18,9 +17,9 @@ bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == 
 
 }  // namespace
 
-HostSession::HostSession(Gadget& gadget, device::FileDescriptor socket)
-    : gadget_(gadget), socket_(std::move(socket)) {
-  gadget_.plugged();
+HostSession::HostSession(EmulatedDevice& device, device::FileDescriptor socket)
+    : device_(device), socket_(std::move(socket)) {
+  device_.plugged();
 }
 
 void HostSession::ready() {
@@ -71,7 +70,7 @@ void HostSession::handle(const HostMessage& message, Bytes data) {
 }
 
 void HostSession::control(const HostMessage& message, const Bytes& data) {
-  auto answer = gadget_.control(SetupPacket::of(message.setup), data);
+  auto answer = device_.control(SetupPacket::of(message.setup), data);
   if (!answer) {
     send(encode_submitted(message.sequence, kTransferStalled, 0));
   } else if (message.in) {
@@ -96,17 +95,20 @@ void HostSession::unlink(const HostMessage& message) {
 
 void HostSession::pump() {
   for (auto& [endpoint, writes] : writes_) answer_writes(endpoint, writes);
-  for (auto& [endpoint, reads] : reads_) answer_reads(endpoint, reads);
+  for (auto& [endpoint, reads] : reads_) {
+    answer_reads(endpoint, reads);
+    device_.set_pending_reads(endpoint, reads.size());
+  }
 }
 
 void HostSession::answer_reads(std::uint8_t endpoint, std::deque<Transfer>& reads) {
   while (open_ && !reads.empty()) {
     const Transfer& read = reads.front();
-    if (gadget_.halted(endpoint | kIn)) {
+    if (device_.halted(endpoint | kIn)) {
       send(encode_submitted(read.sequence, kTransferStalled, 0));
     } else {
-      if (gadget_.silent()) return;
-      auto packet = gadget_.take(endpoint);
+      if (device_.silent()) return;
+      auto packet = device_.take(endpoint);
       if (!packet) return;
       const bool fits = packet->size() <= read.length;
       if (!fits) packet->resize(read.length);
@@ -120,11 +122,11 @@ void HostSession::answer_reads(std::uint8_t endpoint, std::deque<Transfer>& read
 void HostSession::answer_writes(std::uint8_t endpoint, std::deque<Transfer>& writes) {
   while (open_ && !writes.empty()) {
     const Transfer& write = writes.front();
-    if (gadget_.halted(endpoint)) {
+    if (device_.halted(endpoint)) {
       send(encode_submitted(write.sequence, kTransferStalled, 0));
     } else {
-      if (gadget_.silent()) return;
-      gadget_.out(endpoint, write.data);
+      if (device_.silent() || !device_.accepts(endpoint)) return;
+      device_.out(endpoint, write.data);
       send(encode_submitted(write.sequence, kTransferDone, write.length));
     }
     writes.pop_front();

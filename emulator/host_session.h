@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// USB/IP session of one host with one plugged-in gadget, over a stream socket.
+// USB/IP session of one host with one plugged-in device, over a stream socket.
 #pragma once
 
 #include <deque>
@@ -7,22 +7,22 @@
 #include <vector>
 
 #include "daemon/device/socket_transport.h"
-#include "emulator/gadget.h"
+#include "emulator/emulated_device.h"
 
 namespace hedgehog::emulator {
 
 /// The emulator's thread. Never blocks.
 class HostSession {
  public:
-  /// `socket`: after the import, or one end of a pair whose other end belongs to vhci-hcd. `gadget`
+  /// `socket`: after the import, or one end of a pair whose other end belongs to vhci-hcd. `device`
   /// must outlive this; the constructor plugs it in.
-  HostSession(Gadget& gadget, device::FileDescriptor socket);
+  HostSession(EmulatedDevice& device, device::FileDescriptor socket);
 
   int fd() const noexcept { return socket_.get(); }
   /// True if the socket's buffer is full: poll must also wait for POLLOUT.
   bool blocked() const noexcept { return !unsent_.empty(); }
   bool open() const noexcept { return open_; }
-  Gadget& gadget() noexcept { return gadget_; }
+  EmulatedDevice& device() noexcept { return device_; }
 
   /// To be called when the socket is readable or writable.
   void ready();
@@ -44,7 +44,7 @@ class HostSession {
   void send(const Bytes& bytes);
   void flush();
 
-  Gadget& gadget_;
+  EmulatedDevice& device_;
   device::FileDescriptor socket_;
   bool open_ = true;
   Bytes received_;

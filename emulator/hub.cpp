@@ -28,9 +28,9 @@ std::optional<std::uint8_t> endpoint_address(const std::string& text) {
 
 }  // namespace
 
-bool Hub::add(const std::string& name, std::unique_ptr<Gadget> gadget) {
+bool Hub::add(const std::string& name, std::unique_ptr<EmulatedDevice> emulated) {
   if (find(name) != nullptr) return false;
-  devices_.push_back({name, std::move(gadget), false, -1, nullptr});
+  devices_.push_back({name, std::move(emulated), false, -1, nullptr});
   return true;
 }
 
@@ -61,14 +61,14 @@ std::string Hub::execute(const std::string& line) {
 }
 
 std::string Hub::execute(Device& device, std::span<const std::string> words) {
-  Gadget& gadget = *device.gadget;
+  EmulatedDevice& emulated = *device.emulated;
   const std::string& verb = words[0];
   if (verb == "plug" && words.size() == 1) return plug(device);
   if (verb == "unplug" && words.size() == 1) return unplug(device, false);
   if (verb == "cut" && words.size() == 1) return unplug(device, true);
-  if (verb == "status" && words.size() == 1) return gadget.status();
+  if (verb == "status" && words.size() == 1) return emulated.status();
   if (verb == "silence" && words.size() == 2 && (words[1] == "on" || words[1] == "off")) {
-    gadget.set_silent(words[1] == "on");
+    emulated.set_silent(words[1] == "on");
     return "ok";
   }
   if (verb == "stall" && (words.size() == 2 || words.size() == 3)) {
@@ -76,10 +76,10 @@ std::string Hub::execute(Device& device, std::span<const std::string> words) {
     const auto times = number<int>(words.size() == 3 ? words[2] : "1");
     if (!address || !times || *times < 1 || *times > kMaxStalls)
       return "error: stall DEVICE ENDPOINT [TIMES], as in `stall board 81 3`";
-    gadget.halt(*address, *times);
+    emulated.halt(*address, *times);
     return "ok";
   }
-  return gadget.command(words).value_or("error: " + device.name + " does not know " + verb);
+  return emulated.command(words).value_or("error: " + device.name + " does not know " + verb);
 }
 
 std::string Hub::plug(Device& device) {
@@ -92,7 +92,7 @@ std::string Hub::plug(Device& device) {
     const device::FileDescriptor kernels(ends[1]);
     const auto index = static_cast<unsigned>(&device - devices_.data());
     device.port = vhci_->attach(kernels.get(), kBus << 16 | (index + 1));
-    device.session = std::make_unique<HostSession>(*device.gadget, std::move(ours));
+    device.session = std::make_unique<HostSession>(*device.emulated, std::move(ours));
   }
   device.plugged = true;
   return "ok";
@@ -104,6 +104,7 @@ std::string Hub::unplug(Device& device, bool cut) {
   // A cut closes the socket without detaching; the kernel frees the port by itself.
   if (vhci_ && !cut) vhci_->detach(device.port);
   device.session.reset();
+  device.emulated->unplugged();
   return "ok";
 }
 
@@ -111,8 +112,8 @@ std::string Hub::list() const {
   std::string text = "[";
   for (const Device& device : devices_) {
     if (text.size() > 1) text += ", ";
-    text += R"({"name": ")" + device.name + R"(", "device": ")" + device.gadget->shape().name +
-            R"(", "serial": ")" + device.gadget->shape().serial + R"(", "plugged": )" +
+    text += R"({"name": ")" + device.name + R"(", "device": ")" + device.emulated->product_name() +
+            R"(", "serial": ")" + device.emulated->serial() + R"(", "plugged": )" +
             (device.plugged ? "true" : "false") + "}";
   }
   return text + "]";
@@ -120,7 +121,7 @@ std::string Hub::list() const {
 
 void Hub::step() {
   for (Device& device : devices_) {
-    device.gadget->step();
+    device.emulated->step();
     if (device.session) device.session->pump();
   }
 }
@@ -134,13 +135,14 @@ void Hub::tidy() {
   for (Device& device : devices_) {
     if (!device.session || device.session->open()) continue;
     device.session.reset();
+    device.emulated->unplugged();
     // The host closed the connection. Without vhci another host may import the device.
     if (vhci_) device.plugged = false;
   }
 }
 
 Exported Hub::exported(std::size_t index) const {
-  Exported made = devices_[index].gadget->exported();
+  Exported made = devices_[index].emulated->exported();
   made.bus = kBus;
   made.address = static_cast<std::uint32_t>(index) + 1;
   made.bus_id = std::to_string(kBus) + "-" + std::to_string(index + 1);
@@ -166,7 +168,7 @@ void Hub::import(const std::string& bus_id, device::FileDescriptor socket) {
   const auto device = importable(bus_id);
   if (!device) return;
   Device& wanted = devices_[device->address - 1];
-  wanted.session = std::make_unique<HostSession>(*wanted.gadget, std::move(socket));
+  wanted.session = std::make_unique<HostSession>(*wanted.emulated, std::move(socket));
 }
 
 }  // namespace hedgehog::emulator

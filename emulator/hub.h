@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/gadget.h"
+#include "emulator/emulated_device.h"
 #include "emulator/host_session.h"
 #include "emulator/vhci.h"
 
@@ -21,7 +21,7 @@ class Hub {
   explicit Hub(std::optional<Vhci> vhci) : vhci_(std::move(vhci)) {}
 
   /// False: the name is in use.
-  bool add(const std::string& name, std::unique_ptr<Gadget> gadget);
+  bool add(const std::string& name, std::unique_ptr<EmulatedDevice> emulated);
   bool empty() const noexcept { return devices_.empty(); }
 
   /// Executes a command line; returns "ok", a JSON object, or "error: ...". Both without LF.
@@ -43,7 +43,7 @@ class Hub {
  private:
   struct Device {
     std::string name;
-    std::unique_ptr<Gadget> gadget;
+    std::unique_ptr<EmulatedDevice> emulated;
     bool plugged = false;
     int port = -1;  // vhci port
     std::unique_ptr<HostSession> session;

@@ -37,11 +37,11 @@ int run(const Options& options) {
   emulator::Hub hub(options.vhci ? std::optional<emulator::Vhci>(emulator::Vhci()) : std::nullopt);
   for (const std::string& text : options.devices) {
     auto made = emulator::make_device(text);
-    if (!made.gadget) {
+    if (!made.device) {
       std::cerr << "hedgehog-usbip: " << text << ": " << made.failure << "\n";
       return EX_USAGE;
     }
-    if (!hub.add(made.name, std::move(made.gadget))) {
+    if (!hub.add(made.name, std::move(made.device))) {
       std::cerr << "hedgehog-usbip: " << text << ": there is a device " << made.name
                 << " already; `name=` gives it another name\n";
       return EX_USAGE;

@@ -15,11 +15,11 @@ namespace hedgehog::emulator {
 
 class FakeHost {
  public:
-  explicit FakeHost(Gadget& gadget) {
+  explicit FakeHost(EmulatedDevice& device) {
     int ends[2] = {-1, -1};
     (void)::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends);
     socket_ = device::FileDescriptor(ends[0]);
-    session_.emplace(gadget, device::FileDescriptor(ends[1]));
+    session_.emplace(device, device::FileDescriptor(ends[1]));
   }
 
   struct Done {
@@ -94,7 +94,7 @@ class FakeHost {
   }
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
-      session_->gadget().step();
+      session_->device().step();
       session_->pump();
     }
   }

@@ -23,7 +23,7 @@ class EmulatorServer : public testing::Test {
   void SetUp() override {
     for (const char* text : {"board,serial=B7", "mti,unplugged"}) {
       auto made = make_device(text);
-      hub_.add(made.name, std::move(made.gadget));
+      hub_.add(made.name, std::move(made.device));
       if (made.plugged) hub_.execute("plug " + made.name);
     }
     auto imports = listen_tcp("127.0.0.1:0");
@@ -143,12 +143,13 @@ TEST(DeviceText, NamesTheProblem) {
   EXPECT_THAT(make_device("toaster").failure, HasSubstr("there are: board, mti"));
   EXPECT_EQ(make_device("board,colour=red").failure, "unknown: colour=red");
   EXPECT_EQ(make_device("board,start=hot").failure, "start=hot: not a temperature");
+  EXPECT_THAT(make_device("firmware-board,serial=B2").failure, HasSubstr("its own serial number"));
   EXPECT_EQ(make_device("").failure, "no kind of device");
 }
 
 TEST(VhciPorts, AreReportedAsMissing) {
   Hub hub(Vhci("/nowhere"));
-  hub.add("board", make_device("board").gadget);
+  hub.add("board", make_device("board").device);
   EXPECT_THAT(hub.execute("plug board"), HasSubstr("modprobe vhci-hcd"));
 }
 

@@ -187,6 +187,11 @@ std::string Emulator::execute(const std::string& command) const {
   return response;
 }
 
+void Emulator::quit() {
+  ok("quit");
+  EXPECT_TRUE(eventually([&] { return child_->ended(); })) << home_.read("emulator");
+}
+
 double Emulator::current_a() const {
   double sum = 0.0;
   const Json board = status("board");
@@ -270,7 +275,8 @@ double Daemon::cpu_ms() const {
 
 Bench::Bench(std::vector<std::string> devices) {
   for (std::string& device : devices)
-    if (device.starts_with("board,")) device += ",trace=" + home_.path("trace");
+    if (device.starts_with("board,") || device.starts_with("firmware-board,"))
+      device += ",trace=" + home_.path("trace");
   emulator_.emplace(home_, std::move(devices));
 }
 

@@ -71,6 +71,8 @@ class Emulator {
   /// Sends a command, and expects "ok".
   void ok(const std::string& command) const { EXPECT_EQ(execute(command), "ok") << command; }
   Json status(const std::string& device) const { return Json::parse(execute("status " + device)); }
+  /// Ends it in an orderly way, between two ticks.
+  void quit();
   /// The norm of the true currents.
   double current_a() const;
   /// The latest event of that name in the board's trace.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs all tests, in two guests one after the other: programs that read hundreds of megabytes of the host get a guest
-# whose memory no other test has filled. The tests run real programs on a real clock, as those with the label `clock`
+# Runs all tests, in three guests one after the other: programs that read hundreds of megabytes of the host get a guest
+# whose memory no other test has filled, and tests of the firmware's image one with the emulated board (firmware.sh). The tests run real programs on a real clock, as those with the label `clock`
 # (tests/run.sh): failed ones are repeated once, in a guest of their own, and named in the table of stages, with what they
 # print if they fail again.
 #   test.sh -t SECONDS PROGRAM
@@ -10,17 +10,21 @@ set -u
 
 [ "$#,$1" = "3,-t" ] || { echo "test.sh -t SECONDS PROGRAM" >&2; exit 64; }
 limit=$2 program=$3
-run=$(dirname -- "${BASH_SOURCE[0]}")/run.sh
+here=$(dirname -- "${BASH_SOURCE[0]}")
+firmware='FirmwareBoard.*'
 large='GamepadBrowser.*:GamepadGame.*'
 log=$(mktemp)
 table=${HEDGEHOG_STAGES:-/dev/null}
 trap 'rm -f "$log"' EXIT
 
-# guest FILTER: returns its exit code; adds failed tests to `failed`, and the number of tests to `ran`.
+# run_in SCRIPT FILTER: the tests of FILTER in a guest of run.sh or firmware.sh.
+run_in() { "$here/$1" -t "$limit" "$program" --gtest_color=no --gtest_filter="$2" | tee "$log"; return "${PIPESTATUS[0]}"; }
+
+# guest SCRIPT FILTER: returns its exit code; adds failed tests to `failed`, and the number of tests to `ran`.
 failed=() ran=0
 guest() {
-  "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$1" | tee "$log"
-  local result=${PIPESTATUS[0]} before=${#failed[@]} one
+  local result=0 before=${#failed[@]} one
+  run_in "$1" "$2" || result=$?
   ran=$((ran + $(sed -nE 's/^\[==========\] ([0-9]+) tests? from .* ran\..*/\1/p' "$log" | head -1) + 0))
   [ "$result" -ne 0 ] || return 0
   # A guest that ended early has not run all tests.
@@ -33,8 +37,9 @@ guest() {
 # record FAILED: the number of tests, and how many of them failed, for the table.
 record() { printf 'tests\t%d\t%d\t0\n' "$ran" "$1" >>"$table"; }
 
-guest "-$large"
-guest "$large"
+guest run.sh "-$large:$firmware"
+guest run.sh "$large"
+guest firmware.sh "$firmware"
 if [ "${#failed[@]}" -eq 0 ]; then
   record 0
   exit 0
@@ -42,8 +47,8 @@ fi
 printf 'repeated\tusb %s\n' "${failed[@]}" >>"$table"
 echo "run once more: ${failed[*]}"
 filter=$(IFS=:; echo "${failed[*]}")
-"$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter" | tee "$log"
-result=${PIPESTATUS[0]}
+result=0
+run_in firmware.sh "$filter" || result=$?
 again=$(grep -c '^\[  FAILED  \] .*ms)' "$log")
 # A test that crashed prints no such line.
 [ "$result" -eq 0 ] || [ "$again" -gt 0 ] || again=1

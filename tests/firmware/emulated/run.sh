@@ -6,10 +6,11 @@
 #   test NAME [PATTERN]             NAME.test.mjs, or those of its tests whose name matches PATTERN
 #   guards FIRMWARE_IMAGE [--third] [WORD]  guards.mjs
 #   play MINUTES [SEED]             play.mjs
+#   usbip SOCKET                    usbip.mjs
 # HEDGEHOG_FIRMWARE_TICKS: number of frames compared with the host's core (3000). Exit: 0 all passed.
 set -eu
 
-[ $# -ge 4 ] || { echo "run.sh ELF PLANT PACKAGES PROGRAMS [test NAME [PATTERN] | guards FIRMWARE_IMAGE [--third] [WORD] | play MINUTES [SEED]]" >&2; exit 64; }
+[ $# -ge 4 ] || { echo "run.sh ELF PLANT PACKAGES PROGRAMS [test NAME [PATTERN] | guards FIRMWARE_IMAGE [--third] [WORD] | play MINUTES [SEED] | usbip SOCKET]" >&2; exit 64; }
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 HEDGEHOG_FIRMWARE_ELF=$(realpath "$1")
 HEDGEHOG_FIRMWARE_PLANT=$(realpath "$2")
@@ -22,7 +23,7 @@ shift 4
 timeout_ms=$((600000 + 10 * ${HEDGEHOG_FIRMWARE_TICKS:-0}))
 case ${1-} in
   "") ;;
-  guards | play)
+  guards | play | usbip)
     program=$here/$1.mjs
     shift
     exec node "$program" "$@" ;;

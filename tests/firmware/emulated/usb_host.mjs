@@ -19,6 +19,11 @@ const kRetryUs = 20;
 const kQuietUs = 900; // no transaction starts later in a frame
 const kArmCycles = 12;
 
+function must(what, result) {
+  if (typeof result === 'string') throw new Error(`${what}: ${result}`);
+  return result;
+}
+
 export class UsbHost {
   constructor() {
     this.plugged = true;
@@ -30,6 +35,7 @@ export class UsbHost {
     this.onFrame = () => {};
     this.onIn = () => {};
     this.onOut = () => {};
+    this.onStall = () => {}; // called with the address of a bulk endpoint
     this.onReceived = () => {}; // called when a bulk packet has been read from the controller's memory
     this.busyHub = false;
     this.unresponsive = false;
@@ -137,9 +143,14 @@ export class UsbHost {
 
   bulk() {
     if (!this.configured || !this.frames || !this.connected || this.chip.us - this.frameUs > kQuietUs) return;
-    if (this.outQueue.length > 0 && this.out(1, this.outQueue[0]) !== 'nak') this.onOut(this.outQueue.shift(), this.chip.us);
+    if (this.outQueue.length > 0) {
+      const result = this.out(1, this.outQueue[0]);
+      if (result === 'stall') this.onStall(0x01);
+      if (result !== 'nak') this.onOut(this.outQueue.shift(), this.chip.us);
+    }
     if (!this.reading) return;
     const packet = this.in(1);
+    if (packet === 'stall') this.onStall(0x81);
     if (typeof packet === 'string') return;
     this.received.push({ us: this.chip.us, packet });
     this.onIn(packet, this.chip.us);
@@ -207,8 +218,8 @@ export class UsbHost {
     return 'timeout';
   }
 
-  /** A control transfer; returns the data read, 'stall', or the error. */
-  control(type, request, value = 0, index = 0, length = 0) {
+  /** A control transfer; returns the data read, 'stall', or the error. `sent`: the data of an OUT request. */
+  control(type, request, value = 0, index = 0, length = 0, sent = new Uint8Array(0)) {
     if (!this.listens()) return 'none';
     this.usb.epStallArm = 0;
     for (const at of [0x80, 0x84])
@@ -227,6 +238,10 @@ export class UsbHost {
       const status = this.retry(() => this.out(0, new Uint8Array(0)));
       return status === 'ack' ? Uint8Array.from(data) : status;
     }
+    for (let at = 0; at < sent.length; at += 64) {
+      const part = this.retry(() => this.out(0, sent.subarray(at, at + 64)));
+      if (part !== 'ack') return part;
+    }
     const status = this.retry(() => this.in(0));
     return typeof status === 'string' ? status : Uint8Array.of();
   }
@@ -242,36 +257,40 @@ export class UsbHost {
 
   descriptor(type, index = 0, length = 255) { return this.control(0x80, 6, (type << 8) | index, type === 3 && index > 0 ? 0x409 : 0, length); }
 
-  /** Enumerates as an operating system does; throws when the device does not respond correctly. */
-  enumerate(address = 7) {
+  /** Resets the bus and gives the device its address; throws when it does not respond correctly. Returns its descriptor. */
+  connect(address = 7) {
     if (!this.chip.run(200000, () => this.connected)) throw new Error('no device pulls up');
     this.reset();
-    const must = (what, result) => {
-      if (typeof result === 'string') throw new Error(`${what}: ${result}`);
-      return result;
-    };
     const device = must('device descriptor', this.descriptor(1, 0, 18));
     must('address', this.control(0, 5, address));
     this.chip.run(2000);
     this.address = address;
+    return device;
+  }
+
+  /** Enumerates as an operating system does; throws when the device does not respond correctly. */
+  enumerate(address = 7) {
+    const device = this.connect(address);
     const configuration = must('configuration descriptor', this.descriptor(2));
     const strings = [1, 2, 3].map((index) => Buffer.from(must('string', this.descriptor(3, index))).toString('utf16le', 2));
     this.configure();
     return { device, configuration, strings };
   }
 
-  configure() {
-    const result = this.control(0, 9, 1);
-    if (typeof result === 'string') throw new Error(`configuration: ${result}`);
-    this.toggle.set(1, 0).set(0x81, 0);
-    this.configured = true;
-  }
-
-  clearHalt(endpoint) {
-    const result = this.control(2, 1, 0, endpoint);
-    this.toggle.set(endpoint, 0);
+  /** A control transfer of the operating system; what it changes at both ends of the bus is changed in this host too. */
+  request(type, request, value, index, length, sent) {
+    const result = this.control(type, request, value, index, length, sent);
+    if (typeof result === 'string') return result;
+    const restarts = (type === 0 && request === 9) || (type === 1 && request === 11);
+    if (restarts) this.toggle.set(1, 0).set(0x81, 0);
+    if (type === 0 && request === 9) this.configured = value !== 0;
+    if (type === 2 && request === 1 && value === 0) this.toggle.set(index, 0);
     return result;
   }
+
+  configure() { must('configuration', this.request(0, 9, 1, 0, 0)); }
+
+  clearHalt(endpoint) { return this.request(2, 1, 0, endpoint, 0); }
 
   plug(plugged) {
     this.plugged = plugged;
