@@ -9,6 +9,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import time
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -19,6 +20,10 @@ import hedgehog  # noqa: E402
 CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
 # Timeout of calls, and the duration of a case in which the daemon never answers.
 TIMEOUT_S = 60.0
+# A line of a client must be shorter than 64 KiB.
+FLOOD_BYTES = 30_000
+# Far more than what the kernel and the library keep.
+FLOOD_LINES = 2000
 SLOW = "a slow response ends the connection, the next call makes a new one"
 
 
@@ -43,6 +48,7 @@ class Reports:
     def __init__(self):
         self.reconnections = 0
         self.ended = []
+        self.iterators = {}
 
     def subscription_ended(self, error):
         assert isinstance(error, hedgehog.SubscriptionEnded) and error.name == "forbidden", repr(error)
@@ -79,6 +85,11 @@ class Blocking(Reports):
     async def notification(self):
         return self.ball.next_notification(TIMEOUT_S)
 
+    async def next_of(self, kind):
+        if kind not in self.iterators:
+            self.iterators[kind] = self.ball.events(timeout_s=TIMEOUT_S) if kind == "events" else self.ball.telemetry(5, timeout_s=TIMEOUT_S)
+        return next(self.iterators[kind])
+
 
 class Asynchronous(Reports):
     """Runs a step of a case on AsyncBall."""
@@ -110,6 +121,11 @@ class Asynchronous(Reports):
 
     async def rumble(self, slot, strength, direction, params):
         return await self.ball.rumble(slot, strength, direction, **params)
+
+    async def next_of(self, kind):
+        if kind not in self.iterators:
+            self.iterators[kind] = self.ball.events() if kind == "events" else self.ball.telemetry(5)
+        return await asyncio.wait_for(self.iterators[kind].__anext__(), TIMEOUT_S)
 
     async def notification(self):
         received = await asyncio.wait_for(self.queue.get(), TIMEOUT_S)
@@ -147,6 +163,11 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
                 await asyncio.sleep(lost.retry_after_s)
 
     async def step(self, library, step):
+        began = time.monotonic()
+        await self.action(library, step)
+        self.assertGreaterEqual(time.monotonic() - began, step.get("at_least_s", 0.0))
+
+    async def action(self, library, step):
         params = step.get("params", {})
         if "call" in step:
             result = await self.outcome(step, lambda: library.call(step["call"], params))
@@ -157,7 +178,19 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
         elif "ask" in step:
             await library.ask(step["ask"], params)
         elif "answered" in step:
-            self.assertEqual(await library.answer(), step["result"])
+            result = await self.outcome(step, library.answer)
+            if "result" in step:
+                self.assertEqual(result, step["result"])
+        elif "flood" in step:
+            for _ in range(FLOOD_LINES):
+                if not await library.notify(step["flood"], {"text": "x" * FLOOD_BYTES}):
+                    return
+            self.fail("what the daemon does not read is kept")
+        elif "rumble_again" in step:
+            while not await library.rumble(step["rumble_again"], step["strength"], None, params):
+                await asyncio.sleep(0.01)
+        elif "next_of" in step:
+            self.assertEqual(await library.next_of(step["next_of"]), params)
         elif "notify" in step:
             self.assertTrue(await library.notify(step["notify"], params))
         elif "rumble" in step:
