@@ -23,6 +23,6 @@ class Notifications:
 
     def take(self, method: str = "") -> Optional[Tuple[str, Mapping[str, Any]]]:
         """The oldest of that method, "": of all; None: there is none."""
-        queues = [self._queues[method]] if method else [queue for queue in self._queues.values() if queue]
-        queue = min(queues, key=lambda one: one[0][0]) if len(queues) > 1 else next(iter(queues), None)
+        queues = [self._queues[method]] if method else list(self._queues.values())
+        queue = min((one for one in queues if one), key=lambda one: one[0][0], default=None)
         return queue.popleft()[1:] if queue else None
