@@ -49,10 +49,13 @@ class Reports:
         self.reconnections = 0
         self.ended = []
         self.iterators = {}
+        self.asked_when_ended = None
 
     def subscription_ended(self, error):
         assert isinstance(error, hedgehog.SubscriptionEnded) and error.name == "forbidden", repr(error)
         self.ended.append(str(error))
+        if self.asked_when_ended:
+            self.ask_when_ended(self.asked_when_ended)
 
     def again(self, hello):
         assert hello["protocol"] == "1.0"
@@ -82,6 +85,12 @@ class Blocking(Reports):
     async def rumble(self, slot, strength, direction, params):
         return self.ball.rumble(slot, strength, direction, **params)
 
+    def ask_when_ended(self, method):
+        self.response = self.ball.call(method)
+
+    async def answer(self):
+        return self.response
+
     async def notification(self):
         return self.ball.next_notification(TIMEOUT_S)
 
@@ -93,6 +102,8 @@ class Blocking(Reports):
 
 class Asynchronous(Reports):
     """Runs a step of a case on AsyncBall."""
+
+    asked = None
 
     async def open(self, address, timeout_s):
         self.ball = hedgehog.AsyncBall(address, name="conformance", timeout_s=timeout_s, on_reconnect=self.again,
@@ -113,7 +124,13 @@ class Asynchronous(Reports):
         # Runs the task until its first wait, which is after it has sent the request.
         await asyncio.sleep(0)
 
+    def ask_when_ended(self, method):
+        self.asked = asyncio.ensure_future(self.ball.call(method))
+
     async def answer(self):
+        # The report of what has ended follows the response that came before it.
+        while self.asked is None:
+            await asyncio.sleep(0.01)
         return await self.asked
 
     async def notify(self, method, params):
@@ -181,6 +198,8 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             result = await self.outcome(step, library.answer)
             if "result" in step:
                 self.assertEqual(result, step["result"])
+        elif "ask_when_ended" in step:
+            library.asked_when_ended = step["ask_when_ended"]
         elif "flood" in step:
             for _ in range(FLOOD_LINES):
                 if not await library.notify(step["flood"], {"text": "x" * FLOOD_BYTES}):

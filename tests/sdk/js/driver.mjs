@@ -13,6 +13,7 @@ export class Driver {
   #reconnections = 0;
   #ended = [];
   #asked;
+  #askedWhenEnded;
   #iterators = {};
 
   /** The module of the library: {Ball, NotConnected, RequestError, SubscriptionEnded}. */
@@ -26,7 +27,10 @@ export class Driver {
       this.#ball = await Ball.connect({
         ...options,
         onReconnect: () => ++this.#reconnections,
-        onSubscriptionEnded: (error) => this.#ended.push(error instanceof SubscriptionEnded ? error.message : String(error)),
+        onSubscriptionEnded: (error) => {
+          this.#ended.push(error instanceof SubscriptionEnded ? error.message : String(error));
+          if (this.#askedWhenEnded) this.#ask(this.#askedWhenEnded);
+        },
       });
       this.#notifications = this.#ball.notifications();
     });
@@ -45,12 +49,12 @@ export class Driver {
     if (step.call) return ball.call(step.call, step.params);
     if (step.call_again) return this.#again(step.call_again);
     // Not awaited: the response is checked in a later step.
-    if (step.ask) {
-      this.#asked = ball.call(step.ask, step.params);
-      this.#asked.catch(() => {});
+    if (step.ask) return this.#ask(step.ask, step.params);
+    if (step.ask_when_ended) {
+      this.#askedWhenEnded = step.ask_when_ended;
       return null;
     }
-    if (step.answered) return this.#asked;
+    if (step.answered) return this.#answer();
     if (step.flood) return this.#flood(step.flood);
     if (step.rumble_again) return this.#rumbleAgain(step);
     if (step.next_of) return this.#nextOf(step.next_of);
@@ -59,6 +63,17 @@ export class Driver {
     if ("reconnected" in step) return this.#reconnections;
     if (step.subscriptions_ended) return this.#ended;
     return this.#notifications.next().then(({ value }) => value);
+  }
+
+  #ask(method, params) {
+    this.#asked = this.#ball.call(method, params);
+    this.#asked.catch(() => {});
+    return null;
+  }
+
+  async #answer() {
+    while (!this.#asked) await new Promise((resolve) => setTimeout(resolve, 1));
+    return this.#asked;
   }
 
   #flood(method) {
