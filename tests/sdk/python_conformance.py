@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import unittest
+from unittest import mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "clients" / "python"))
@@ -240,6 +241,9 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             asyncio.run(self.again(Blocking(ball), "ping"))
 
     async def play(self, case, library):
+        environment = mock.patch.dict(os.environ, case.get("environment", {}))
+        environment.start()
+        self.addCleanup(environment.stop)
         daemon = Daemon(case)
         steps = case["client"]
         if "open" in steps[0]:

@@ -55,6 +55,9 @@ export function addCases(library, driver, address, more = []) {
       let passed = false;
       context.after(() => report(library, one.name, passed ? "ok" : "failed"));
       const daemon = await fakeDaemon(one.name, more);
+      const before = { ...process.env };
+      Object.assign(process.env, one.environment);
+      context.after(() => (process.env = before));
       const ball = await driver();
       const opened = await ball.open({
         address: address(daemon.port),

@@ -49,6 +49,8 @@ internal static partial class Conformance
         using (Process daemon = Start(name, out address))
         {
             Json steps = one["client"];
+            Json environment = one["environment"];
+            for (int i = 0; i < environment.Count; ++i) Environment.SetEnvironmentVariable(environment.NameAt(i), environment[i].Text);
             double timeoutS = name == Slow ? SlowTimeoutS : TimeoutS;
             Library library = blocking ? (Library)new BlockingLibrary() : new TaskLibrary();
             if (steps[0].Has("open"))
@@ -66,6 +68,7 @@ internal static partial class Conformance
                 }
                 library.Close();
             }
+            for (int i = 0; i < environment.Count; ++i) Environment.SetEnvironmentVariable(environment.NameAt(i), null);
             Finish(daemon);
         }
     }
