@@ -73,7 +73,7 @@ export declare class Ball extends Methods {
   notify<M extends keyof MethodTypes>(method: M, params?: MethodTypes[M]["params"]): boolean;
   notify(method: string, params?: object): boolean;
   rumble(slot: string, strength: number, direction?: Direction, params?: VibrateParams): boolean;
-  events(types?: EventType[], options?: { scope?: Scope }): AsyncGenerator<BallEvent, void, undefined>;
-  telemetry(rate_hz?: number, fields?: TelemetryField[]): AsyncGenerator<Telemetry, void, undefined>;
+  events(types?: EventType[], options?: { scope?: Scope }): AsyncIterableIterator<BallEvent>;
+  telemetry(rate_hz?: number, fields?: TelemetryField[]): AsyncIterableIterator<Telemetry>;
   notifications(): AsyncIterableIterator<["event", BallEvent] | ["telemetry", Telemetry]>;
 }

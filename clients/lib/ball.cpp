@@ -7,6 +7,8 @@
 namespace hedgehog {
 namespace {
 
+// The longest wait until the next connection that a daemon can ask for.
+constexpr client::Milliseconds kMaxRetryAfter{60'000};
 // Per frame: where decoding is slower than telemetry arrives, reading would not end.
 constexpr int kLinesPerFrame = 100;
 
@@ -98,7 +100,7 @@ void Ball::poll_connection(client::Clock::time_point deadline) {
 
 void Ball::send_hello() {
   stage_ = Stage::kHello;
-  notice_.clear();
+  notice_.reset();
   const auto& token = options_.token ? options_.token : connection_->address().token;
   auto sent = connection_->request(protocol::Hello{options_.name, "1.0", token}, kNow);
   if (!sent) {
@@ -112,7 +114,7 @@ void Ball::send_hello() {
 bool Ball::receive(client::Milliseconds timeout) {
   const auto received = connection_->receive(timeout);
   if (!received && received.error().failure == client::Failure::kRefused) {
-    notice_ = received.error().message;
+    notice_ = received.error();
     return true;
   }
   if (!received) {
@@ -265,13 +267,19 @@ client::ClientError Ball::end_connection(const client::ClientError& why) {
   std::string reason = why.message;
   if (why.failure == client::Failure::kProtocol)
     reason = "what answers is no Hedgehog daemon: " + reason;
-  if (!notice_.empty()) reason += " (it said: " + notice_ + ")";
-  return fail_attempt(why.failure, "the connection to the daemon has ended: " + reason);
+  client::Milliseconds min_wait{0};
+  if (notice_) {
+    reason += " (it said: " + notice_->message + ")";
+    if (notice_->refusal && notice_->refusal->retry_after_ms)
+      min_wait = std::min(kMaxRetryAfter, client::Milliseconds(*notice_->refusal->retry_after_ms));
+  }
+  return fail_attempt(why.failure, "the connection to the daemon has ended: " + reason, min_wait);
 }
 
-client::ClientError Ball::fail_attempt(client::Failure failure, std::string problem) {
+client::ClientError Ball::fail_attempt(client::Failure failure, std::string problem,
+                                       client::Milliseconds min_wait) {
   stage_ = Stage::kDisconnected;
-  next_attempt_ = client::Clock::now() + backoff_.next();
+  next_attempt_ = client::Clock::now() + std::max(backoff_.next(), min_wait);
   failure_ = client::ClientError{failure, std::move(problem), {}};
   return *failure_;
 }

@@ -159,7 +159,9 @@ class Ball {
   /// False: `sent` failed; ends the connection unless the request itself was at fault.
   bool check_sent(const client::Outcome<void>& sent);
   client::ClientError end_connection(const client::ClientError& why);
-  client::ClientError fail_attempt(client::Failure failure, std::string problem);
+  /// `min_wait`: lower bound of the time until the next attempt.
+  client::ClientError fail_attempt(client::Failure failure, std::string problem,
+                                   client::Milliseconds min_wait = kNow);
 
   std::vector<client::Address> addresses_;
   BallOptions options_;
@@ -181,7 +183,7 @@ class Ball {
   protocol::HelloResult hello_{};
   client::Backoff backoff_;
   client::Clock::time_point next_attempt_{};
-  std::string notice_;                          // error that the daemon sent about this connection
+  std::optional<client::ClientError> notice_;   // that the daemon sent about this connection
   std::optional<client::ClientError> failure_;  // why the last connection ended
 };
 

@@ -22,7 +22,7 @@ def failure_of(case, start):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     address = "127.0.0.1:" + daemon.stdout.readline().strip()
     program = start(dict(os.environ, HEDGEHOG_ADDRESS=address, HEDGEHOG_CASE=json.dumps(case),
-                         HEDGEHOG_TIMEOUT_S="3" if case["name"] == SLOW else "60"))
+                         HEDGEHOG_TIMEOUT_S="3" if case["name"] == SLOW else "60", **case.get("environment", {})))
     try:
         printed, _ = program.communicate(timeout=120)
         _, errors = daemon.communicate(timeout=70)

@@ -90,6 +90,15 @@ protocol::EffectParams effect_params(const json& params) {
   return made;
 }
 
+/// Far more than what the kernel and the library keep, in lines shorter than 64 KiB.
+template <class Library>
+void flood(Library& library, const std::string& method) {
+  const std::string params = json{{"text", std::string(30'000, 'x')}}.dump();
+  for (int line = 0; line < 2000; ++line)
+    if (!library.notify(method, params)) return;
+  expect(false, "a connection that has ended");
+}
+
 /// `ended`: the ended subscriptions reported so far.
 template <class Library>
 void play(Library& library, const json& step, json& ended) {
@@ -105,6 +114,11 @@ void play(Library& library, const json& step, json& ended) {
     expect(library.request(step["ask"]), "asked");
   } else if (step.contains("answered")) {
     check(step, library.response());
+  } else if (step.contains("flood")) {
+    flood(library, step["flood"]);
+  } else if (step.contains("rumble_again")) {
+    while (!library.rumble(step["rumble_again"], step["strength"], std::nullopt, {}))
+      std::this_thread::sleep_for(library.retry_after());
   } else if (step.contains("subscriptions_ended")) {
     const json& expected = step["subscriptions_ended"];
     // The library's thread may have read a refusal that it has not reported yet.
@@ -143,7 +157,12 @@ void play_case(const std::string& folder, const json& one) {
     } else {
       expect(opened.has_value(), opened ? "" : opened.error().message);
       json ended = json::array();
-      for (const json& step : one["client"]) play(library, step, ended);
+      for (const json& step : one["client"]) {
+        const auto began = std::chrono::steady_clock::now();
+        play(library, step, ended);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+        expect(taken.count() >= step.value("at_least_s", 0.0), "too early");
+      }
     }
   }
   expect(daemon.finish(), "what the daemon expects");

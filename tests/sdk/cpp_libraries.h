@@ -39,8 +39,9 @@ class Waiting {
   bool request(const std::string& method) { return ball_.request_raw(method, "").has_value(); }
   client::Outcome<std::string> response() {
     for (;; std::this_thread::yield()) {
-      ball_.update();
       if (auto reply = ball_.response()) return outcome_of(*std::move(reply));
+      if (!ball_.connected()) return ball_.failure();
+      ball_.update();
     }
   }
   bool notify(const std::string& method, const std::string& params) {
@@ -48,6 +49,7 @@ class Waiting {
   }
   bool rumble(const std::string& slot, double strength,
               std::optional<protocol::Direction> direction, protocol::EffectParams others) {
+    ball_.update();
     return ball_.rumble(slot, strength, std::move(direction), std::move(others));
   }
   client::Notification next() { return ball_.next(kTimeout).value().value(); }

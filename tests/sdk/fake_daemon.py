@@ -5,6 +5,7 @@ been played: exit 0, or 1 with an error message when the client's message is not
 
 import json
 import pathlib
+import select
 import socket
 import sys
 
@@ -54,8 +55,17 @@ def send(connection, data, piece):
         connection.sendall(data[at:at + (piece or len(data))])
 
 
+def turn_away(error, connection, lines):
+    """As a daemon that has no place for another client: the message of the client, which has come, is not read."""
+    select.select([connection], [], [], 60)
+    connection.sendall(lines.encode(line_of({"jsonrpc": "2.0", "id": None, "error": error})))
+
+
 def play(step, connection, lines, unanswered):
     """`unanswered`: ids of earlier requests, by the names in their steps."""
+    if "turn_away" in step:
+        turn_away(step["turn_away"], connection, lines)
+        return
     if step == "hello":
         step = {"expect": {"method": "hello"}, "result": HELLO}
     text = lines.readline()
@@ -85,6 +95,7 @@ def main():
     server = socket.create_server(("127.0.0.1", 0))
     server.settimeout(60)
     print(server.getsockname()[1], flush=True)
+    unread = []
     try:
         for steps in case["connections"]:
             connection, _ = server.accept()
@@ -93,6 +104,9 @@ def main():
             unanswered = {}
             for step in steps:
                 play(step, connection, lines, unanswered)
+            if isinstance(steps[-1], dict) and steps[-1].get("unread"):
+                unread.append((connection, lines))
+                continue
             # The client closes the connection, unless in this case the daemon does.
             if not (isinstance(steps[-1], dict) and steps[-1].get("close")):
                 while lines.readline():

@@ -9,7 +9,9 @@ import os
 import pathlib
 import subprocess
 import sys
+import time
 import unittest
+from unittest import mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "clients" / "python"))
@@ -19,6 +21,10 @@ import hedgehog  # noqa: E402
 CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
 # Timeout of calls, and the duration of a case in which the daemon never answers.
 TIMEOUT_S = 60.0
+# A line of a client must be shorter than 64 KiB.
+FLOOD_BYTES = 30_000
+# Far more than what the kernel and the library keep.
+FLOOD_LINES = 2000
 SLOW = "a slow response ends the connection, the next call makes a new one"
 
 
@@ -43,10 +49,14 @@ class Reports:
     def __init__(self):
         self.reconnections = 0
         self.ended = []
+        self.iterators = {}
+        self.asked_when_ended = None
 
     def subscription_ended(self, error):
         assert isinstance(error, hedgehog.SubscriptionEnded) and error.name == "forbidden", repr(error)
         self.ended.append(str(error))
+        if self.asked_when_ended:
+            self.ask_when_ended(self.asked_when_ended)
 
     def again(self, hello):
         assert hello["protocol"] == "1.0"
@@ -76,12 +86,25 @@ class Blocking(Reports):
     async def rumble(self, slot, strength, direction, params):
         return self.ball.rumble(slot, strength, direction, **params)
 
+    def ask_when_ended(self, method):
+        self.response = self.ball.call(method)
+
+    async def answer(self):
+        return self.response
+
     async def notification(self):
         return self.ball.next_notification(TIMEOUT_S)
+
+    async def next_of(self, kind):
+        if kind not in self.iterators:
+            self.iterators[kind] = self.ball.events(timeout_s=TIMEOUT_S) if kind == "events" else self.ball.telemetry(5, timeout_s=TIMEOUT_S)
+        return next(self.iterators[kind])
 
 
 class Asynchronous(Reports):
     """Runs a step of a case on AsyncBall."""
+
+    asked = None
 
     async def open(self, address, timeout_s):
         self.ball = hedgehog.AsyncBall(address, name="conformance", timeout_s=timeout_s, on_reconnect=self.again,
@@ -102,7 +125,13 @@ class Asynchronous(Reports):
         # Runs the task until its first wait, which is after it has sent the request.
         await asyncio.sleep(0)
 
+    def ask_when_ended(self, method):
+        self.asked = asyncio.ensure_future(self.ball.call(method))
+
     async def answer(self):
+        # The report of what has ended follows the response that came before it.
+        while self.asked is None:
+            await asyncio.sleep(0.01)
         return await self.asked
 
     async def notify(self, method, params):
@@ -110,6 +139,11 @@ class Asynchronous(Reports):
 
     async def rumble(self, slot, strength, direction, params):
         return await self.ball.rumble(slot, strength, direction, **params)
+
+    async def next_of(self, kind):
+        if kind not in self.iterators:
+            self.iterators[kind] = self.ball.events() if kind == "events" else self.ball.telemetry(5)
+        return await asyncio.wait_for(self.iterators[kind].__anext__(), TIMEOUT_S)
 
     async def notification(self):
         received = await asyncio.wait_for(self.queue.get(), TIMEOUT_S)
@@ -147,6 +181,11 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
                 await asyncio.sleep(lost.retry_after_s)
 
     async def step(self, library, step):
+        began = time.monotonic()
+        await self.action(library, step)
+        self.assertGreaterEqual(time.monotonic() - began, step.get("at_least_s", 0.0))
+
+    async def action(self, library, step):
         params = step.get("params", {})
         if "call" in step:
             result = await self.outcome(step, lambda: library.call(step["call"], params))
@@ -157,7 +196,21 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
         elif "ask" in step:
             await library.ask(step["ask"], params)
         elif "answered" in step:
-            self.assertEqual(await library.answer(), step["result"])
+            result = await self.outcome(step, library.answer)
+            if "result" in step:
+                self.assertEqual(result, step["result"])
+        elif "ask_when_ended" in step:
+            library.asked_when_ended = step["ask_when_ended"]
+        elif "flood" in step:
+            for _ in range(FLOOD_LINES):
+                if not await library.notify(step["flood"], {"text": "x" * FLOOD_BYTES}):
+                    return
+            self.fail("what the daemon does not read is kept")
+        elif "rumble_again" in step:
+            while not await library.rumble(step["rumble_again"], step["strength"], None, params):
+                await asyncio.sleep(0.01)
+        elif "next_of" in step:
+            self.assertEqual(await library.next_of(step["next_of"]), params)
         elif "notify" in step:
             self.assertTrue(await library.notify(step["notify"], params))
         elif "rumble" in step:
@@ -188,6 +241,9 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             asyncio.run(self.again(Blocking(ball), "ping"))
 
     async def play(self, case, library):
+        environment = mock.patch.dict(os.environ, case.get("environment", {}))
+        environment.start()
+        self.addCleanup(environment.stop)
         daemon = Daemon(case)
         steps = case["client"]
         if "open" in steps[0]:

@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import socket
 import subprocess
 import sys
 import tempfile
@@ -130,9 +131,113 @@ class Live(unittest.TestCase):
         self.assertEqual(answers[1]["state"], "armed")
         self.assertTrue(all("limit_a" in status for status in statuses))
 
+    def test_telemetry_does_not_prolong_the_wait_for_an_event(self):
+        clock = [1000.0]
+
+        with hedgehog.Ball(self.address, timeout_s=60) as ball:
+            def receive(_):
+                clock[0] += 0.05
+                self.assertLess(clock[0], 1010.0, "the wait has begun anew with each message")
+                ball._exchange.receive(b'{"jsonrpc":"2.0","method":"telemetry","params":{"limit_a":5}}\n')
+                return True
+
+            events = ball.events(["effect_ended"], timeout_s=0.2)
+            with mock.patch.object(ball, "_receive", receive), mock.patch("time.monotonic", lambda: clock[0]):
+                self.assertEqual(list(events), [])
+            self.assertEqual(ball.next_notification(), ("telemetry", {"limit_a": 5}))
+
+    def test_a_strength_that_is_no_number_ends_a_rumble(self):
+        with hedgehog.Ball(self.address, timeout_s=60) as ball, mock.patch.object(ball, "notify") as sent:
+            ball.rumble("engine", float("nan"), "back")
+            sent.assert_called_once_with("effect.stop", slot="engine")
+
+        async def rumble():
+            async with hedgehog.AsyncBall(self.address, timeout_s=60) as ball:
+                with mock.patch.object(ball, "notify", mock.AsyncMock()) as sent:
+                    await ball.rumble("engine", float("nan"), "back")
+                    sent.assert_called_once_with("effect.stop", slot="engine")
+        asyncio.run(rumble())
+
     def test_a_missing_daemon_is_reported_in_a_sentence(self):
         with self.assertRaisesRegex(hedgehog.NotConnected, r"the daemon does not run: 127\.0\.0\.1:1: Connection refused"):
             hedgehog.Ball("127.0.0.1:1")
+
+
+class Silent:
+    """A daemon that accepts every connection, perhaps, and answers nothing: what is waited for takes its whole timeout, of a clock
+    of its own."""
+
+    def __init__(self, accepts):
+        self.now_s = 1000.0
+        self.accepts = accepts
+        self.connected_s = None
+
+    def monotonic(self):
+        return self.now_s
+
+    def open(self, address, timeout_s):
+        self.now_s += timeout_s
+        if address != self.accepts:
+            raise OSError("no answer")
+        self.connected_s = self.now_s
+        silent = self
+        fake = mock.Mock()
+        fake.settimeout = lambda given_s: setattr(silent, "timeout_s", given_s)
+
+        def recv(_):
+            silent.now_s += silent.timeout_s
+            raise socket.timeout
+        fake.recv = recv
+        return fake
+
+
+class Deadlines(unittest.TestCase):
+    def seconds(self, accepts):
+        silent = Silent(accepts)
+        with mock.patch("hedgehog.ball._open", silent.open), mock.patch("time.monotonic", silent.monotonic), \
+                mock.patch.dict(os.environ, {"RUNTIME_DIRECTORY": "/a", "HEDGEHOG_ADDRESS": ""}), \
+                self.assertRaises(hedgehog.NotConnected):
+            hedgehog.Ball(timeout_s=2.0)
+        return silent.now_s - 1000.0, silent.connected_s
+
+    def test_connecting_takes_no_longer_than_its_timeout_altogether(self):
+        for accepts in (None, ("127.0.0.1", 7586), "/a/hedgehogd.sock"):
+            self.assertAlmostEqual(self.seconds(accepts)[0], 2.0, delta=0.01)
+
+    def test_an_address_that_does_not_answer_leaves_time_to_the_next(self):
+        self.assertIsNotNone(self.seconds(("127.0.0.1", 7586))[1])
+
+    def test_a_host_with_several_addresses_has_one_timeout(self):
+        found = [(socket.AF_INET, socket.SOCK_STREAM, 0, "", ("127.0.0.1", 1))] * 4
+        timeouts = []
+        silent = Silent(None)
+
+        def connect(one, _):
+            timeouts.append(one.gettimeout())
+            silent.now_s += one.gettimeout()
+            raise socket.timeout("timed out")
+        with mock.patch("socket.getaddrinfo", return_value=found), mock.patch("time.monotonic", silent.monotonic), \
+                mock.patch.object(hedgehog.ball.socket.socket, "connect", connect), self.assertRaises(socket.timeout):
+            hedgehog.ball._open(("slow.test", 7586), 2.0)
+        self.assertEqual([round(one_s, 3) for one_s in timeouts], [0.5, 0.5, 0.5, 0.5])
+
+    def test_without_unix_sockets_the_next_address_is_tried(self):
+        """As on Windows, whose asyncio has no such function."""
+        async def why():
+            ball = hedgehog.AsyncBall()
+            with self.assertRaises(hedgehog.NotConnected) as raised:
+                await ball.ping()
+            return str(raised.exception)
+        with mock.patch.dict(os.environ, {"RUNTIME_DIRECTORY": "/a", "HEDGEHOG_ADDRESS": ""}), \
+                mock.patch("asyncio.open_connection", side_effect=OSError("nobody")), \
+                mock.patch("asyncio.open_unix_connection") as function:
+            del asyncio.open_unix_connection
+            try:
+                text = asyncio.run(why())
+            finally:
+                asyncio.open_unix_connection = function
+        self.assertIn("/a/hedgehogd.sock: this system has no Unix sockets; ", text)
+        self.assertIn("127.0.0.1:7586: nobody", text)
 
 
 class Generated(unittest.TestCase):

@@ -2,14 +2,17 @@
 // The client over any transport that carries a message a line or a frame.
 import { NotConnected, RequestError, SubscriptionEnded } from "./errors.js";
 import { Methods } from "./methods.js";
+import { NotificationIterator } from "./notifications.js";
 import { Subscriptions } from "./subscriptions.js";
 
 /** A rumble ends so long after its last frame: a game that hangs lets go of the ball. */
 const LEASE_MS = 250;
 const FIRST_WAIT_MS = 100;
 const MAX_WAIT_MS = 5000;
-/** Notifications that nobody has fetched; the oldest are dropped. */
-const MAX_WAITING = 10_000;
+/** The longest wait until the next connection that a daemon can ask for. */
+const MAX_RETRY_AFTER_MS = 60_000;
+/** What a daemon that does not read may leave unsent, in bytes. */
+const MAX_UNSENT = 1 << 20;
 
 /** `strength` 0..1 as a level: anything above 0 begins where a push can be felt. */
 export function feltLevel(strength, limits) {
@@ -30,7 +33,7 @@ function given(params) {
  *
  * `connectors`: resolves to functions that open a transport, tried in order, or rejects with an Error that says why there are none; is
  * called for each attempt. Each function is given `{message, ended}` and resolves to
- * `{send(text), close()}` or rejects with an Error that says where and why.
+ * `{send(text), unsent(), close()}` or rejects with an Error that says where and why; `unsent`: bytes that wait for the daemon.
  */
 export class BallCore extends Methods {
   #connectors;
@@ -43,6 +46,8 @@ export class BallCore extends Methods {
   #subscribers = new Set();
   #waitMs = 0;
   #nextAttempt = 0;
+  /** The error that the daemon sent last, if it answers no request: why it closes the connection. */
+  #notice = null;
   #closed = false;
   #connections = 0;
   #onReconnect;
@@ -85,7 +90,7 @@ export class BallCore extends Methods {
       this.open().catch(() => {});
       return false;
     }
-    this.#send({ method }, params);
+    if (!this.#send({ method }, params)) return false;
     this.#subscriptions.carriedOut(this.#subscriptions.sent(method, params));
     return true;
   }
@@ -110,43 +115,28 @@ export class BallCore extends Methods {
 
   /** Every notification as `[method, params]`, from now on; throws NotConnected when the connection ends. */
   notifications() {
-    const waiting = [];
-    let wake = null;
-    const subscriber = (item) => {
-      if (waiting.length >= MAX_WAITING) waiting.shift();
-      waiting.push(item);
-      wake?.();
-    };
-    this.#subscribers.add(subscriber);
-    const end = () => this.#subscribers.delete(subscriber);
-    return {
-      [Symbol.asyncIterator]() {
-        return this;
-      },
-      async next() {
-        while (waiting.length === 0) await new Promise((resolve) => (wake = resolve));
-        const item = waiting.shift();
-        if (item instanceof Error) {
-          end();
-          throw item;
-        }
-        return { value: item, done: false };
-      },
-      async return() {
-        end();
-        return { value: undefined, done: true };
-      },
-    };
+    const all = this.#iterator({ begin: async () => {}, pick: (method, params) => [method, params] });
+    this.#subscribe(all);
+    return all;
   }
 
-  async *#subscribed(method, subscribe, params) {
-    const notifications = this.notifications();
-    try {
-      await this.call(subscribe, params);
-      for await (const [name, received] of notifications) if (name === method) yield received;
-    } finally {
-      await notifications.return();
-    }
+  #subscribed(kind, subscribe, params) {
+    const begin = () => {
+      this.#subscribe(some);
+      return this.call(subscribe, params);
+    };
+    const some = this.#iterator({ begin, pick: (method, received) => (method === kind ? received : undefined) });
+    return some;
+  }
+
+  #iterator(functions) {
+    const made = new NotificationIterator({ ...functions, end: () => this.#subscribers.delete(made) });
+    return made;
+  }
+
+  #subscribe(iterator) {
+    if (this.#closed) iterator.fail(new NotConnected("this ball is closed"));
+    else this.#subscribers.add(iterator);
   }
 
   /** Connects, unless it is. */
@@ -206,12 +196,13 @@ export class BallCore extends Methods {
       ended: (reason) => {
         if (!current) return;
         current = false;
-        this.#end(reason);
+        this.#endOf(reason);
       },
       timeoutMs: this.#timeoutMs,
     });
     return {
       send: (text) => transport.send(text),
+      unsent: () => transport.unsent(),
       close: () => {
         current = false;
         transport.close();
@@ -235,10 +226,15 @@ export class BallCore extends Methods {
     });
   }
 
+  /** False: the connection has ended. */
   #send(message, params) {
+    if (!this.#transport) return false;
     const known = given(params);
     if (Object.keys(known).length > 0) message.params = known;
     this.#transport.send(JSON.stringify({ jsonrpc: "2.0", ...message }));
+    if (this.#transport.unsent() <= MAX_UNSENT) return true;
+    this.#end("the daemon does not read what it is sent");
+    return false;
   }
 
   #receive(text) {
@@ -252,8 +248,9 @@ export class BallCore extends Methods {
       this.#end("what answers is no Hedgehog daemon");
       return;
     }
+    this.#notice = (message.id ?? null) === null && message.error ? message.error : null;
     if (typeof message.method === "string") {
-      for (const subscriber of this.#subscribers) subscriber([message.method, message.params ?? {}]);
+      for (const subscriber of this.#subscribers) subscriber.add(message.method, message.params ?? {});
       return;
     }
     const waiting = this.#pending.get(message.id);
@@ -267,25 +264,35 @@ export class BallCore extends Methods {
     }
   }
 
+  /** The daemon has closed the connection. */
+  #endOf(otherwise) {
+    const { message, data } = this.#notice ?? {};
+    const retryAfterMs = Number(data?.retry_after_ms) || 0;
+    this.#end(typeof message === "string" ? message : otherwise, Math.min(MAX_RETRY_AFTER_MS, retryAfterMs));
+  }
+
   /** Everybody who waits is told. */
-  #end(why) {
+  #end(why, retryAfterMs = 0) {
     const transport = this.#transport;
     this.#transport = null;
     this.hello = null;
+    this.#notice = null;
     transport?.close();
-    const lost = this.#failed(`the connection to the daemon has ended: ${why}`);
+    const lost = this.#failed(`the connection to the daemon has ended: ${why}`, retryAfterMs);
     for (const { reject, timer } of this.#pending.values()) {
       clearTimeout(timer);
       reject(lost);
     }
     this.#pending.clear();
-    for (const subscriber of this.#subscribers) subscriber(lost);
+    for (const subscriber of this.#subscribers) subscriber.fail(lost);
     return lost;
   }
 
-  #failed(message) {
+  /** retryAfterMs: the daemon wants no connection earlier. */
+  #failed(message, retryAfterMs = 0) {
     this.#waitMs = Math.min(MAX_WAIT_MS, this.#waitMs ? 2 * this.#waitMs : FIRST_WAIT_MS);
-    this.#nextAttempt = Date.now() + this.#waitMs;
-    return new NotConnected(message, this.#waitMs);
+    const wait = Math.max(this.#waitMs, retryAfterMs);
+    this.#nextAttempt = Date.now() + wait;
+    return new NotConnected(message, wait);
   }
 }

@@ -15,7 +15,7 @@ function connector(address) {
       socket.onopen = () => {
         open = true;
         clearTimeout(timer);
-        resolve({ send: (text) => socket.send(text), close: () => socket.close() });
+        resolve({ send: (text) => socket.send(text), unsent: () => socket.bufferedAmount, close: () => socket.close() });
       };
       socket.onmessage = ({ data }) => message(data);
       socket.onclose = ({ code }) => {

@@ -46,7 +46,11 @@ function connector(address) {
         if (mistake) return socket.destroy(mistake);
         open = true;
         clearTimeout(timer);
-        resolve({ send: (text) => socket.write(text + "\n"), close: () => socket.destroy() });
+        resolve({
+          send: (text) => socket.write(text + "\n"),
+          unsent: () => socket.writableLength,
+          close: () => socket.destroy(),
+        });
       });
       socket.on("data", (bytes) => {
         const lines = (partial + decoder.write(bytes)).split("\n");

@@ -7,15 +7,19 @@ import time
 from typing import Any, AsyncIterator, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from .address import Address, MdnsAddress, TlsAddress, daemon_addresses
-from .backoff import Backoff, nobody_there
+from .backoff import Backoff, nobody_there, share_of
 from .discovery import BallNotFound, locate
-from .errors import NotConnected, SubscriptionEnded
-from .exchange import MAX_WAITING, Exchange
+from .errors import NotConnected, RequestError, SubscriptionEnded
+from .exchange import Exchange
 from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
 from .methods import AsyncMethods
+from .notifications import MAX_WAITING
 from .rumble import rumble_params
 from .subscriptions import Subscriptions
 from .tls import check_certificate, tls_context
+
+#: What a daemon that does not read may leave unsent, in bytes.
+MAX_UNSENT = 1 << 20
 
 
 class AsyncBall(AsyncMethods):
@@ -45,6 +49,8 @@ class AsyncBall(AsyncMethods):
         self._on_subscription_ended = on_subscription_ended
         self._connections = 0
         self._welcome: Optional[Hello] = None
+        #: Of the last introduction that the daemon refused.
+        self._refusal: Optional[RequestError] = None
         self._closed = False
 
     async def __aenter__(self) -> "AsyncBall":
@@ -82,23 +88,17 @@ class AsyncBall(AsyncMethods):
         return result
 
     async def notify(self, method: str, /, **params: Any) -> bool:
-        """Sends without waiting for a response. False: nothing was sent, there is no daemon."""
-        try:
-            await self._ensure()
-        except NotConnected:
+        """Sends without waiting for a response. False: nothing was sent, there is no daemon, or it refuses the introduction."""
+        if not await self._is_there() or not self._write(self._exchange.notification(method, params)):
             return False
-        assert self._writer is not None
-        self._writer.write(self._exchange.notification(method, params))
         self._subscriptions.carried_out(self._subscriptions.sent(method, params))
         return True
 
     async def rumble(self, slot: str, strength: float, direction: Optional[Direction] = None, **params: Any) -> bool:
         """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
-        if strength <= 0.0:
+        if not strength > 0.0:
             return await self.notify("effect.stop", slot=slot)
-        try:
-            await self._ensure()
-        except NotConnected:
+        if not await self._is_there():
             return False
         return await self.notify("effect.vibrate", direction=direction,
                                  **rumble_params(slot, strength, self.hello["limits"], params))
@@ -132,6 +132,17 @@ class AsyncBall(AsyncMethods):
         finally:
             self._subscribers.remove(queue)
 
+    async def _is_there(self) -> bool:
+        try:
+            await self._ensure()
+        except NotConnected:
+            return False
+        except RequestError as error:
+            if error is not self._refusal:
+                raise
+            return False
+        return True
+
     async def _ensure(self) -> None:
         async with self._connecting:
             if self._closed:
@@ -154,9 +165,11 @@ class AsyncBall(AsyncMethods):
             now = time.monotonic()
             self._backoff.failed(now)
             raise NotConnected(str(error), self._backoff.remaining_s(now)) from error
+        # One for all addresses and the introduction.
+        deadline = time.monotonic() + self._timeout_s
         for address in addresses:
             try:
-                reader, self._writer = await asyncio.wait_for(_open(address), self._timeout_s)
+                reader, self._writer = await asyncio.wait_for(_open(address), share_of(deadline, len(addresses) - len(tried)))
                 break
             except (OSError, asyncio.TimeoutError) as error:
                 tried.append(address)
@@ -168,28 +181,42 @@ class AsyncBall(AsyncMethods):
         self._exchange = Exchange()
         self._reader_task = asyncio.ensure_future(self._read(reader, self._writer))
         try:
-            self._welcome = await self._ask("hello", self._hello)
+            self._welcome = await self._ask("hello", self._hello, share_of(deadline))
         except BaseException as refused:
             # Refused, lost or cancelled: half a connection is none.
+            if isinstance(refused, RequestError):
+                self._refusal = refused
             self._end(str(refused))
             raise
         self._backoff.succeeded()
         for line in self._subscriptions.renew(self._exchange):
-            self._writer.write(line)
+            self._write(line)
         self._connections += 1
         if self._connections > 1 and self._on_reconnect is not None:
             self._on_reconnect(self.hello)
 
-    async def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
+    def _write(self, line: bytes) -> bool:
+        """False: the connection has ended."""
+        if self._writer is None:
+            return False
+        self._writer.write(line)
+        if self._writer.transport.get_write_buffer_size() <= MAX_UNSENT:
+            return True
+        # What is left would be kept until the daemon reads.
+        self._writer.transport.abort()
+        self._end("the daemon does not read what it is sent")
+        return False
+
+    async def _ask(self, method: str, params: Mapping[str, Any], timeout_s: Optional[float] = None) -> Any:
         if self._writer is None:
             raise NotConnected("the connection to the daemon has ended")
         exchange = self._exchange
         request, line = exchange.request(method, params)
         arrived = asyncio.get_running_loop().create_future()
         self._waiting[request] = arrived
-        self._writer.write(line)
+        self._write(line)
         try:
-            await asyncio.wait_for(arrived, self._timeout_s)
+            await asyncio.wait_for(arrived, self._timeout_s if timeout_s is None else timeout_s)
             response = exchange.take_response(request)
         except asyncio.TimeoutError:
             raise self._end("%s: no response within %g s" % (method, self._timeout_s)) from None
@@ -200,20 +227,22 @@ class AsyncBall(AsyncMethods):
         return response[0]
 
     async def _read(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        why = "the daemon closed it"
+        why, retry_after_s = "the daemon closed it", 0.0
+        exchange = self._exchange
         try:
             while True:
                 data = await reader.read(1 << 16)
                 if not data or self._writer is not writer:
                     break
                 self._sort(data)
+            why, retry_after_s = exchange.reason_of_end(why)
         except OSError as error:
-            why = error.strerror or str(error)
+            why, retry_after_s = exchange.reason_of_end(error.strerror or str(error))
         except ValueError as error:
             why = "what answers is no Hedgehog daemon: %s" % error
         # Not of a connection that has followed.
         if self._writer is writer:
-            self._end(why)
+            self._end(why, retry_after_s)
 
     def _sort(self, data: bytes) -> None:
         for request in self._exchange.receive(data):
@@ -223,8 +252,11 @@ class AsyncBall(AsyncMethods):
             waiting = self._waiting.get(request)
             if waiting is not None and not waiting.done():
                 waiting.set_result(None)
-        while self._exchange.notifications:
-            self._publish(self._exchange.notifications.popleft())
+        while True:
+            received = self._exchange.notifications.take()
+            if received is None:
+                break
+            self._publish(received)
 
     def _publish(self, received: Any) -> None:
         for queue in self._subscribers:
@@ -232,13 +264,13 @@ class AsyncBall(AsyncMethods):
                 queue.get_nowait()
             queue.put_nowait(received)
 
-    def _end(self, why: str) -> NotConnected:
+    def _end(self, why: str, retry_after_s: float = 0.0) -> NotConnected:
         """Everybody who waits is told."""
         now = time.monotonic()
         if self._writer is not None:
             self._writer.close()
             self._writer = None
-            self._backoff.failed(now)
+            self._backoff.failed(now, retry_after_s)
         lost = NotConnected("the connection to the daemon has ended: %s" % why, self._backoff.remaining_s(now))
         for waiting in self._waiting.values():
             if not waiting.done():
@@ -249,6 +281,8 @@ class AsyncBall(AsyncMethods):
 
 async def _open(address: Address) -> Tuple[asyncio.StreamReader, asyncio.StreamWriter]:
     if isinstance(address, str):
+        if not hasattr(asyncio, "open_unix_connection"):
+            raise OSError("this system has no Unix sockets")
         return await asyncio.open_unix_connection(address)
     if isinstance(address, TlsAddress):
         reader, writer = await asyncio.open_connection(address.host, address.port, ssl=tls_context(address),

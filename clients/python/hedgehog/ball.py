@@ -11,7 +11,7 @@ from collections import deque
 from typing import Any, Callable, Deque, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
 
 from .address import Address, MdnsAddress, TlsAddress, daemon_addresses
-from .backoff import Backoff, nobody_there
+from .backoff import Backoff, nobody_there, share_of
 from .discovery import BallNotFound, locate
 from .errors import NotConnected, RequestError, SubscriptionEnded
 from .exchange import Exchange
@@ -55,6 +55,8 @@ class Ball(Methods):
         self._unreported: Deque[SubscriptionEnded] = deque()
         self._on_reconnect: Optional[Callable[[Hello], None]] = None
         self._welcome: Optional[Hello] = None
+        #: Of the last introduction that the daemon refused.
+        self._refusal: Optional[RequestError] = None
         self._closed = False
         self._connect()
         self._on_reconnect = on_reconnect
@@ -91,7 +93,8 @@ class Ball(Methods):
             return result
 
     def notify(self, method: str, /, **params: Any) -> bool:
-        """Sends without waiting for a response, for every frame of a game. False: nothing was sent, there is no daemon."""
+        """Sends without waiting for a response. False: nothing was sent, there is no daemon, or it refuses the introduction. Waits
+        up to `timeout_s` while it connects anew, and when the daemon does not read: a frame loop takes AsyncBall, or a thread."""
         with self._turn():
             try:
                 self._ensure()
@@ -100,12 +103,16 @@ class Ball(Methods):
                 self._drain()
             except NotConnected:
                 return False
+            except RequestError as error:
+                if error is not self._refusal:
+                    raise
+                return False
             return True
 
     def rumble(self, slot: str, strength: float, direction: Optional[Direction] = None, **params: Any) -> bool:
         """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
         with self._turn():
-            if strength <= 0.0:
+            if not strength > 0.0:
                 return self.notify("effect.stop", slot=slot)
             return self.notify("effect.vibrate", direction=direction,
                                **rumble_params(slot, strength, self.hello["limits"], params))
@@ -127,30 +134,32 @@ class Ball(Methods):
         """The next notification, as method and parameters; None: none came. Raises NotConnected."""
         return self._next(timeout_s)
 
-    def _next(self, timeout_s: float, kind: str = "") -> Optional[Tuple[str, Mapping[str, Any]]]:
-        """`kind`: raises when that subscription has ended and nothing is left of it."""
+    def _next(self, timeout_s: float, method: str = "", kind: str = "") -> Optional[Tuple[str, Mapping[str, Any]]]:
+        """`method`: of which notifications, "": of all. `kind`: raises when that subscription has ended and nothing is left of it."""
         deadline = time.monotonic() + timeout_s
         while True:
             # Others may call in between.
             with self._turn():
-                if not self._exchange.notifications:
+                received = self._exchange.notifications.take(method)
+                if received is None:
                     ended = self._subscriptions.ended(kind)
                     if ended is not None:
                         raise ended
                     self._receive(min(SLICE_S, max(0.0, deadline - time.monotonic())))
-                if self._exchange.notifications:
-                    return self._exchange.notifications.popleft()
+                    received = self._exchange.notifications.take(method)
+                if received is not None:
+                    return received
             if time.monotonic() >= deadline:
                 return None
             time.sleep(0)
 
     def _notifications(self, method: str, kind: str, timeout_s: Optional[float]) -> Iterator[Mapping[str, Any]]:
         while True:
-            received = self._next(timeout_s if timeout_s is not None else 3600.0, kind)
-            if received is None and timeout_s is not None:
-                return
-            if received is not None and received[0] == method:
+            received = self._next(timeout_s if timeout_s is not None else 3600.0, method, kind)
+            if received is not None:
                 yield received[1]
+            elif timeout_s is not None:
+                return
 
     @contextlib.contextmanager
     def _turn(self) -> Iterator[None]:
@@ -173,9 +182,11 @@ class Ball(Methods):
             now = time.monotonic()
             self._backoff.failed(now)
             raise NotConnected(str(error), self._backoff.remaining_s(now)) from error
+        # One for all addresses and the introduction.
+        deadline = time.monotonic() + self._timeout_s
         for address in addresses:
             try:
-                self._socket = _open(address, self._timeout_s)
+                self._socket = _open(address, share_of(deadline, len(addresses) - len(tried)))
                 break
             except OSError as error:
                 tried.append(address)
@@ -186,9 +197,11 @@ class Ball(Methods):
             raise nobody_there(tried, why, self._backoff.remaining_s(now))
         self._exchange = Exchange()
         try:
-            self._welcome = self._ask("hello", self._hello)
-        except RequestError:
+            self._welcome = self._ask("hello", self._hello, deadline)
+        except RequestError as error:
+            self._refusal = error
             self._drop()
+            self._backoff.failed(time.monotonic())
             raise
         self._backoff.succeeded()
         for line in self._subscriptions.renew(self._exchange):
@@ -206,10 +219,11 @@ class Ball(Methods):
             raise NotConnected("the daemon does not run; next attempt in %.1f s" % wait_s, wait_s)
         self._connect()
 
-    def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
+    def _ask(self, method: str, params: Mapping[str, Any], deadline: Optional[float] = None) -> Any:
         request, line = self._exchange.request(method, params)
-        self._send(line)
-        deadline = time.monotonic() + self._timeout_s
+        if deadline is None:
+            deadline = time.monotonic() + self._timeout_s
+        self._send(line, deadline)
         while True:
             response = self._exchange.take_response(request)
             if response is not None:
@@ -218,13 +232,16 @@ class Ball(Methods):
                 self._exchange.forget(request)
                 raise self._lost("%s: no response within %g s" % (method, self._timeout_s))
 
-    def _send(self, line: bytes) -> None:
+    def _send(self, line: bytes, deadline: Optional[float] = None) -> None:
         assert self._socket is not None
         try:
-            self._socket.settimeout(self._timeout_s)
+            self._socket.settimeout(self._timeout_s if deadline is None else share_of(deadline))
             self._socket.sendall(line)
+        except socket.timeout as error:
+            raise self._lost("the daemon does not read what it is sent") from error
         except OSError as error:
-            raise self._lost(error.strerror or str(error)) from error
+            self._read_rest()
+            raise self._lost(*self._exchange.reason_of_end(error.strerror or str(error))) from error
 
     def _receive(self, timeout_s: float) -> bool:
         """Whether something came."""
@@ -236,9 +253,9 @@ class Ball(Methods):
         except (socket.timeout, BlockingIOError, ssl.SSLWantReadError):
             return False
         except OSError as error:
-            raise self._lost(error.strerror or str(error)) from error
+            raise self._lost(*self._exchange.reason_of_end(error.strerror or str(error))) from error
         if not data:
-            raise self._lost("the daemon closed it")
+            raise self._lost(*self._exchange.reason_of_end("the daemon closed it"))
         try:
             arrived = self._exchange.receive(data)
         except ValueError as error:
@@ -254,10 +271,23 @@ class Ball(Methods):
         while self._receive(0.0):
             pass
 
-    def _lost(self, why: str) -> NotConnected:
+    def _read_rest(self) -> None:
+        """What the daemon sent before it closed the connection: it may say why."""
+        assert self._socket is not None
+        try:
+            self._socket.settimeout(0.0)
+            while True:
+                data = self._socket.recv(1 << 16)
+                if not data:
+                    return
+                self._exchange.receive(data)
+        except (OSError, ValueError):
+            return
+
+    def _lost(self, why: str, retry_after_s: float = 0.0) -> NotConnected:
         self._drop()
         now = time.monotonic()
-        self._backoff.failed(now)
+        self._backoff.failed(now, retry_after_s)
         return NotConnected("the connection to the daemon has ended: %s" % why, self._backoff.remaining_s(now))
 
     def _drop(self) -> None:
@@ -268,8 +298,10 @@ class Ball(Methods):
 
 def _open(address: Address, timeout_s: float) -> socket.socket:
     if isinstance(address, TlsAddress):
+        deadline = time.monotonic() + timeout_s
         plain = _open((address.host, address.port), timeout_s)
         try:
+            plain.settimeout(share_of(deadline))
             wrapped = tls_context(address).wrap_socket(plain, server_hostname=address.host)
         except BaseException:
             plain.close()
@@ -283,9 +315,7 @@ def _open(address: Address, timeout_s: float) -> socket.socket:
     # `locate` has replaced it.
     assert not isinstance(address, MdnsAddress)
     if not isinstance(address, str):
-        opened = socket.create_connection(address, timeout_s)
-        opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        return opened
+        return _open_tcp(address, timeout_s)
     if not hasattr(socket, "AF_UNIX"):
         raise OSError("this system has no Unix sockets")
     opened = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -296,3 +326,21 @@ def _open(address: Address, timeout_s: float) -> socket.socket:
         opened.close()
         raise
     return opened
+
+
+def _open_tcp(address: Tuple[str, int], timeout_s: float) -> socket.socket:
+    """Of all addresses of that name the first that answers."""
+    deadline = time.monotonic() + timeout_s
+    failure = OSError("its name has no address")
+    found = socket.getaddrinfo(*address, type=socket.SOCK_STREAM)
+    for number, (family, kind, protocol, _, place) in enumerate(found):
+        opened = socket.socket(family, kind, protocol)
+        try:
+            opened.settimeout(share_of(deadline, len(found) - number))
+            opened.connect(place)
+            opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return opened
+        except OSError as error:
+            opened.close()
+            failure = error
+    raise failure

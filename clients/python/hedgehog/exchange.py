@@ -2,15 +2,15 @@
 """The protocol without a socket: requests to bytes, bytes to responses and notifications."""
 
 import json
-from collections import deque
-from typing import Any, Deque, Dict, List, Mapping, Optional, Set, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
 
 from .errors import RequestError
+from .notifications import Notifications
 
 #: The longest line that a daemon sends is the response to a batch; these clients send none.
 MAX_LINE = 4 << 20
-#: Notifications that nobody has fetched; the oldest are dropped.
-MAX_WAITING = 10_000
+#: The longest wait until the next connection that a daemon can ask for.
+MAX_RETRY_AFTER_S = 60.0
 
 
 class Exchange:
@@ -21,7 +21,8 @@ class Exchange:
         self._partial = bytearray()
         self._responses: Dict[int, Mapping[str, Any]] = {}
         self._expected: Set[int] = set()
-        self.notifications: Deque[Tuple[str, Mapping[str, Any]]] = deque(maxlen=MAX_WAITING)
+        self._notice: Mapping[str, Any] = {}
+        self.notifications = Notifications()
 
     def notification(self, method: str, params: Mapping[str, Any]) -> bytes:
         return self._line({"jsonrpc": "2.0", "method": method}, params)
@@ -49,6 +50,14 @@ class Exchange:
                 self._sort(json.loads(line.decode("utf-8")), arrived)
         return arrived
 
+    def reason_of_end(self, otherwise: str) -> Tuple[str, float]:
+        """Why the daemon has closed the connection: the error that it sent last and that answers no request, else `otherwise`;
+        and how long it wants no other connection, in seconds."""
+        data = self._notice.get("data")
+        retry_after_ms = data.get("retry_after_ms") if isinstance(data, dict) else None
+        retry_after_s = retry_after_ms / 1000.0 if isinstance(retry_after_ms, (int, float)) else 0.0
+        return str(self._notice.get("message") or otherwise), min(MAX_RETRY_AFTER_S, retry_after_s)
+
     def take_response(self, request: int) -> Optional[Any]:
         """The response: its result in a list of one; None: not yet. Raises RequestError."""
         response = self._responses.pop(request, None)
@@ -63,8 +72,10 @@ class Exchange:
     def _sort(self, message: Any, arrived: List[int]) -> None:
         if not isinstance(message, dict):
             raise ValueError("a message that is no object")
+        error = message.get("error")
+        self._notice = error if message.get("id") is None and isinstance(error, dict) else {}
         if "method" in message:
-            self.notifications.append((str(message["method"]), message.get("params", {})))
+            self.notifications.add(str(message["method"]), message.get("params", {}))
         elif message.get("id") in self._expected:
             self._responses[message["id"]] = message
             arrived.append(message["id"])

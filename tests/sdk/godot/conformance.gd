@@ -8,9 +8,9 @@ var ball = ListeningBall.new()
 var steps := []
 var at := 0
 var asked = null
-# What an "ask" waits for.
-var waiting = null
 var again_s := 0.0
+# When the step began.
+var began_s := 0.0
 
 
 func _ready():
@@ -46,11 +46,20 @@ func take(step):
 		check(ball.connections - 1 == step.reconnected, "%d connections" % ball.connections)
 		next()
 	elif step.has("ask"):
-		waiting = ball.request(step.ask)
+		ball.waiting = ball.request(step.ask)
+		next()
+	elif step.has("ask_when_ended"):
+		ball.asked_when_ended = step.ask_when_ended
 		next()
 	elif step.has("answered"):
-		if waiting.done:
-			check(waiting.ok and same(waiting.result, step.result), "another response")
+		if ball.waiting != null and ball.waiting.done:
+			asked = ball.waiting
+			answer(step)
+	elif step.has("flood"):
+		flood(step.flood)
+		next()
+	elif step.has("rumble_again"):
+		if ball.rumble(step.rumble_again, step.strength):
 			next()
 	elif step.has("subscriptions_ended"):
 		check(same(ball.ended, step.subscriptions_ended), "ended are %s" % [ball.ended])
@@ -87,7 +96,21 @@ func answer(step):
 	next()
 
 
+# Far more than what the kernel and the addon keep, in lines shorter than 64 KiB.
+func flood(method):
+	var text = "x"
+	for _doubled in range(15):
+		text += text
+	for _line in range(2000):
+		if not ball.notify(method, {"text": text}):
+			return
+	check(false, "what the daemon does not read is kept")
+
+
 func next():
+	if at >= 0 and at < steps.size():
+		check(ball._engine.now_s() - began_s >= steps[at].get("at_least_s", 0.0), "too early")
+	began_s = ball._engine.now_s()
 	asked = null
 	at += 1
 

@@ -5,6 +5,9 @@ extends "res://addons/hedgehog/ball.gd"
 var received := []
 var connections := 0
 var ended := []
+# A method that is asked for when a subscription has ended, and its request.
+var asked_when_ended := ""
+var waiting = null
 
 
 func on_notification(method: String, params: Dictionary) -> void:
@@ -17,3 +20,5 @@ func on_connected() -> void:
 
 func on_subscription_ended(answer) -> void:
 	ended.append("%s: %s" % [answer.method, answer.message])
+	if asked_when_ended != "":
+		waiting = request(asked_when_ended)

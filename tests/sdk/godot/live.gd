@@ -70,7 +70,7 @@ func slow_name():
 
 
 func addresses():
-	for text in ["game-pc", "::1", "[::1]:9", "tcp:127.0.0.1:7", "host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x"]:
+	for text in ["game-pc", "::1", "[::1]:9", "tcp:127.0.0.1:7", "host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x", "tls://ball-host", "mdns://ball-7"]:
 		var address = Address.parse(text)
 		print(text, " ", address.error if address.has("error") else Address.describe(address))
 	get_tree().quit()

@@ -174,13 +174,15 @@ class Live(unittest.TestCase):
 
     def test_addresses_are_read_as_every_client_reads_them(self):
         for engine in self.each_engine():
-            lines = self.wait_for(self.scene(engine, "addresses", ""), "/run/x")
+            lines = self.wait_for(self.scene(engine, "addresses", ""), "mdns://ball-7")
             for expected in ("game-pc game-pc:7586", "::1 [::1]:7586", "[::1]:9 [::1]:9", "tcp:127.0.0.1:7 127.0.0.1:7"):
                 self.assertIn(expected, lines)
             refused = [line for line in lines if "is no address of a daemon" in line]
             self.assertEqual([line.split(" ")[0] for line in refused],
-                             ["host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x"])
-            self.assertIn("/run/x '/run/x' is no address of a daemon: Godot has no Unix sockets", refused[-1])
+                             ["host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x", "tls://ball-host", "mdns://ball-7"])
+            self.assertIn("/run/x '/run/x' is no address of a daemon: Godot has no Unix sockets", refused[-3])
+            for address, line in zip(("tls://ball-host", "mdns://ball-7"), refused[-2:]):
+                self.assertIn("; hedgehogctl tunnel %s " % address, line)
 
 
 class Generated(unittest.TestCase):

@@ -31,7 +31,8 @@ function check(step, outcome) {
   } else {
     assert.ok("value" in outcome, JSON.stringify(outcome));
     if (step.result) assert.deepEqual(outcome.value, step.result);
-    else if (step.notify || step.rumble) assert.equal(outcome.value, true);
+    else if (step.next_of) assert.deepEqual(outcome.value, step.params);
+    else if (step.notify || step.rumble || step.rumble_again || step.flood) assert.equal(outcome.value, true);
     else if ("reconnected" in step) assert.equal(outcome.value, step.reconnected);
     else if (step.subscriptions_ended) assert.deepEqual(outcome.value, step.subscriptions_ended);
     else if (step.notification) assert.deepEqual(outcome.value, [step.notification, step.params ?? {}]);
@@ -54,6 +55,9 @@ export function addCases(library, driver, address, more = []) {
       let passed = false;
       context.after(() => report(library, one.name, passed ? "ok" : "failed"));
       const daemon = await fakeDaemon(one.name, more);
+      const before = { ...process.env };
+      Object.assign(process.env, one.environment);
+      context.after(() => (process.env = before));
       const ball = await driver();
       const opened = await ball.open({
         address: address(daemon.port),
@@ -62,7 +66,12 @@ export function addCases(library, driver, address, more = []) {
       });
       const [first, ...rest] = one.client[0].open ? one.client : [{ open: true }, ...one.client];
       check(first, opened);
-      for (const step of rest) check(step, await ball.do(step));
+      for (const step of rest) {
+        const began = performance.now();
+        check(step, await ball.do(step));
+        const s = (performance.now() - began) / 1000;
+        assert.ok(s >= (step.at_least_s ?? 0), `${s} s`);
+      }
       await ball.close();
       assert.deepEqual(await daemon.ended, [0, ""]);
       passed = true;

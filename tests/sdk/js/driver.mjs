@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Runs a step of a case on a Ball, in Node.js or in a page. The outcome is plain data, so that a browser can return it:
 // {value}, {failure, message} or {error: {code, name, message, field}}.
+
+// A line of a client must be shorter than 64 KiB; all together are far more than what the kernel and the library keep.
+const FLOOD_BYTES = 30_000;
+const FLOOD_LINES = 2000;
+
 export class Driver {
   #library;
   #ball = null;
@@ -8,6 +13,8 @@ export class Driver {
   #reconnections = 0;
   #ended = [];
   #asked;
+  #askedWhenEnded;
+  #iterators = {};
 
   /** The module of the library: {Ball, NotConnected, RequestError, SubscriptionEnded}. */
   constructor(library) {
@@ -20,7 +27,10 @@ export class Driver {
       this.#ball = await Ball.connect({
         ...options,
         onReconnect: () => ++this.#reconnections,
-        onSubscriptionEnded: (error) => this.#ended.push(error instanceof SubscriptionEnded ? error.message : String(error)),
+        onSubscriptionEnded: (error) => {
+          this.#ended.push(error instanceof SubscriptionEnded ? error.message : String(error));
+          if (this.#askedWhenEnded) this.#ask(this.#askedWhenEnded);
+        },
       });
       this.#notifications = this.#ball.notifications();
     });
@@ -39,16 +49,48 @@ export class Driver {
     if (step.call) return ball.call(step.call, step.params);
     if (step.call_again) return this.#again(step.call_again);
     // Not awaited: the response is checked in a later step.
-    if (step.ask) {
-      this.#asked = ball.call(step.ask, step.params);
+    if (step.ask) return this.#ask(step.ask, step.params);
+    if (step.ask_when_ended) {
+      this.#askedWhenEnded = step.ask_when_ended;
       return null;
     }
-    if (step.answered) return this.#asked;
+    if (step.answered) return this.#answer();
+    if (step.flood) return this.#flood(step.flood);
+    if (step.rumble_again) return this.#rumbleAgain(step);
+    if (step.next_of) return this.#nextOf(step.next_of);
     if (step.notify) return ball.notify(step.notify, step.params);
     if (step.rumble) return ball.rumble(step.rumble, step.strength, step.direction, step.params);
     if ("reconnected" in step) return this.#reconnections;
     if (step.subscriptions_ended) return this.#ended;
     return this.#notifications.next().then(({ value }) => value);
+  }
+
+  #ask(method, params) {
+    this.#asked = this.#ball.call(method, params);
+    this.#asked.catch(() => {});
+    return null;
+  }
+
+  async #answer() {
+    while (!this.#asked) await new Promise((resolve) => setTimeout(resolve, 1));
+    return this.#asked;
+  }
+
+  #flood(method) {
+    for (let line = 0; line < FLOOD_LINES; ++line) {
+      if (!this.#ball.notify(method, { text: "x".repeat(FLOOD_BYTES) })) return true;
+    }
+    return false;
+  }
+
+  async #rumbleAgain({ rumble_again, strength }) {
+    while (!this.#ball.rumble(rumble_again, strength)) await new Promise((resolve) => setTimeout(resolve, 10));
+    return true;
+  }
+
+  async #nextOf(kind) {
+    this.#iterators[kind] ??= kind === "events" ? this.#ball.events() : this.#ball.telemetry(5);
+    return (await this.#iterators[kind].next()).value;
   }
 
   async #again(method) {

@@ -49,6 +49,8 @@ internal static partial class Conformance
         using (Process daemon = Start(name, out address))
         {
             Json steps = one["client"];
+            Json environment = one["environment"];
+            for (int i = 0; i < environment.Count; ++i) Environment.SetEnvironmentVariable(environment.NameAt(i), environment[i].Text);
             double timeoutS = name == Slow ? SlowTimeoutS : TimeoutS;
             Library library = blocking ? (Library)new BlockingLibrary() : new TaskLibrary();
             if (steps[0].Has("open"))
@@ -58,9 +60,15 @@ internal static partial class Conformance
             else
             {
                 library.Open(address, timeoutS);
-                for (int i = 0; i < steps.Count; ++i) Step(library, steps[i]);
+                for (int i = 0; i < steps.Count; ++i)
+                {
+                    Stopwatch taken = Stopwatch.StartNew();
+                    Step(library, steps[i]);
+                    Check.That(taken.Elapsed.TotalSeconds >= (steps[i].Has("at_least_s") ? steps[i]["at_least_s"].Number : 0.0), taken.Elapsed + " taken");
+                }
                 library.Close();
             }
+            for (int i = 0; i < environment.Count; ++i) Environment.SetEnvironmentVariable(environment.NameAt(i), null);
             Finish(daemon);
         }
     }
@@ -100,11 +108,32 @@ internal static partial class Conformance
         }
         else if (step.Has("answered"))
         {
-            Check.Equal(step["result"].ToString(), library.Answer().ToString(), "the response");
+            Json result = Outcome(step, library.Answer);
+            if (step.Has("result")) Check.Equal(step["result"].ToString(), result.ToString(), "the response");
+        }
+        else if (step.Has("ask_when_ended"))
+        {
+            library.AskedWhenEnded = step["ask_when_ended"].Text;
+        }
+        else if (step.Has("flood"))
+        {
+            Flood(library, step["flood"].Text);
+        }
+        else if (step.Has("rumble_again"))
+        {
+            while (!library.Rumble(step["rumble_again"].Text, step["strength"].Number, null, null)) Thread.Sleep(10);
+        }
+        else if (step.Has("next_of"))
+        {
+            Check.Equal(step["params"].ToString(), library.NextOf(step["next_of"].Text).ToString(), "the next of " + step["next_of"].Text);
         }
         else if (step.Has("subscriptions_ended"))
         {
-            Check.Equal(step["subscriptions_ended"].ToString(), library.Ended, "subscriptions that have ended");
+            // They are reported by another thread.
+            string expected = step["subscriptions_ended"].ToString();
+            Stopwatch waited = Stopwatch.StartNew();
+            while (library.Ended.Length < expected.Length && waited.Elapsed.TotalSeconds < TimeoutS) Thread.Sleep(1);
+            Check.Equal(expected, library.Ended, "subscriptions that have ended");
         }
         else if (step.Has("notify"))
         {
@@ -146,6 +175,15 @@ internal static partial class Conformance
             return Json.Null;
         }
         return action();
+    }
+
+    private static void Flood(Library library, string method)
+    {
+        // A line is shorter than 64 KiB; all together are far more than what the kernel and the library keep.
+        var given = new Params().Set("text", new string('x', 30000));
+        for (int line = 0; line < 8000; ++line)
+            if (!library.Notify(method, given)) return;
+        Check.That(false, "what the daemon does not read is kept");
     }
 
     private static Json Again(Library library, string method)

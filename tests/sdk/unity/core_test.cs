@@ -2,7 +2,12 @@
 // The core without a daemon: JSON, addresses, levels. Exit: 0 all is well.
 using System;
 using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Net;
+using System.Net.Sockets;
 using System.Text;
+using System.Threading;
 using Hedgehog;
 
 internal static class CoreTest
@@ -23,6 +28,9 @@ internal static class CoreTest
         well &= Check.Run("bytes in pieces of any size are the same messages", Pieces);
         well &= Check.Run("addresses are those of every client", Addresses);
         well &= Check.Run("an invalid address is refused", NoAddresses);
+        well &= Check.Run("a socket that nobody accepts has a timeout", SilentSocket);
+        well &= Check.Run("the token of the environment is that of the introduction", Token);
+        well &= Check.Run("the next of a kind waits no longer for the messages of another", OtherKind);
         well &= Check.Run("a rumble starts at the threshold of perception", Levels);
         return well ? 0 : 1;
     }
@@ -155,8 +163,79 @@ internal static class CoreTest
 
     private static void NoAddresses()
     {
+        foreach (string text in new[] { "tls://ball-host:7586", "mdns://", "mdns://ball-7" })
+            Check.That(Check.Throws<AddressError>(() => Address.Parse(text)).Message.Contains("; hedgehogctl tunnel " + text + " "), text);
         foreach (string text in new[] { "host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:" })
             Check.That(Check.Throws<AddressError>(() => Address.Parse(text)).Message.Contains("is no address of a daemon"), text);
+    }
+
+    private static void SilentSocket()
+    {
+        string path = Path.Combine(Path.GetTempPath(), "hedgehog-" + Guid.NewGuid().ToString("N"));
+        using (var listener = new Socket(AddressFamily.Unix, SocketType.Stream, ProtocolType.Unspecified))
+        {
+            listener.Bind(new UnixEndPoint(path));
+            listener.Listen(0);
+            // The kernel accepts one for the program.
+            Wire first = Wire.Connect(Address.Parse(path), 60000);
+            try
+            {
+                Check.Throws<SocketException>(() => Wire.Connect(Address.Parse(path), 50));
+            }
+            finally
+            {
+                first.Close(false);
+                File.Delete(path);
+            }
+        }
+    }
+
+    /// A daemon of one connection that sends lines; `expected`: a part of the introduction.
+    private static void Serve(string expected, string lines, Action<string> play)
+    {
+        var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        string received = null;
+        var server = new Thread(() =>
+        {
+            using (TcpClient client = listener.AcceptTcpClient())
+            {
+                var reader = new StreamReader(client.GetStream());
+                received = reader.ReadLine();
+                byte[] bytes = Encoding.UTF8.GetBytes("{\"id\":1,\"result\":{\"limits\":{\"current_a\":15}}}\n" + lines);
+                client.GetStream().Write(bytes, 0, bytes.Length);
+                reader.ReadToEnd();
+            }
+        });
+        server.Start();
+        play(listener.LocalEndpoint.ToString());
+        server.Join();
+        listener.Stop();
+        Check.That(received.Contains(expected), received);
+    }
+
+    private static void Token()
+    {
+        Environment.SetEnvironmentVariable("HEDGEHOG_TOKEN", "hht_of_the_environment");
+        Serve("\"token\":\"hht_of_the_environment\"", "", address => new Ball(address, timeoutS: 60).Dispose());
+        Serve("\"token\":\"hht_given\"", "", address => new Ball(address, timeoutS: 60, token: "hht_given").Dispose());
+        Environment.SetEnvironmentVariable("HEDGEHOG_TOKEN", null);
+    }
+
+    private static void OtherKind()
+    {
+        string lines = string.Concat(Enumerable.Repeat("{\"method\":\"telemetry\",\"params\":{\"limit_a\":5}}\n", 20000));
+        Serve("hello", lines + "{\"method\":\"event\",\"params\":{\"type\":\"armed\"}}\n", address =>
+        {
+            using (var ball = new AsyncBall(address, timeoutS: 60))
+            {
+                ball.Open().GetAwaiter().GetResult();
+                Notification next;
+                Check.That(ball.Next(out next, 60, "events") && next.Method == "event", "the event");
+                Check.That(!ball.Next(out next, 0, "events"), "there is one event");
+                Check.That(ball.TryNext(out next) && next.Method == "telemetry", "telemetry is kept");
+            }
+        });
     }
 
     private static void Levels()

@@ -29,9 +29,14 @@ internal static partial class Conformance
             Interlocked.Increment(ref reconnections);
         }
 
+        /// A method that is called when a subscription has ended; null: none.
+        public string AskedWhenEnded;
+        protected readonly TaskCompletionSource<Json> AnswerWhenEnded = new TaskCompletionSource<Json>();
+
         protected void EndOf(SubscriptionEnded error)
         {
             lock (ended) ended.Add(Json.Of(error.Message));
+            if (AskedWhenEnded != null) AnswerWhenEnded.SetResult(Call(AskedWhenEnded, null));
         }
 
         public abstract Json Open(string address, double timeoutS);
@@ -44,6 +49,12 @@ internal static partial class Conformance
 
         public virtual Json Answer()
         {
+            return AnswerWhenEnded.Task.GetAwaiter().GetResult();
+        }
+
+        /// Of events or of telemetry, by its enumeration.
+        public virtual Json NextOf(string kind)
+        {
             throw new NotSupportedException();
         }
 
@@ -55,6 +66,8 @@ internal static partial class Conformance
     private sealed class BlockingLibrary : Library
     {
         private Ball ball;
+        private IEnumerator<Hedgehog.Results.Event> events;
+        private IEnumerator<Hedgehog.Results.Telemetry> telemetry;
 
         public Ball Ball
         {
@@ -93,6 +106,17 @@ internal static partial class Conformance
         {
             return ball.Next(TimeoutS);
         }
+
+        public override Json NextOf(string kind)
+        {
+            if (kind == "events")
+            {
+                events = events ?? ball.Events(timeoutS: TimeoutS).GetEnumerator();
+                return events.MoveNext() ? events.Current.Json : Json.Null;
+            }
+            telemetry = telemetry ?? ball.Telemetry(5, timeoutS: TimeoutS).GetEnumerator();
+            return telemetry.MoveNext() ? telemetry.Current.Json : Json.Null;
+        }
     }
 
     /// As a frame loop uses it: asks again and again, and never waits.
@@ -108,6 +132,7 @@ internal static partial class Conformance
 
         public override Json Answer()
         {
+            if (asked == null) return base.Answer();
             while (!asked.IsCompleted) Thread.Yield();
             return asked.GetAwaiter().GetResult();
         }

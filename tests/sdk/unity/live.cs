@@ -28,6 +28,7 @@ internal static partial class Live
         well &= Check.Run("the component without a daemon reports why", ComponentAlone);
         well &= Check.Run("the component with a wrong address reports it", ComponentWithoutAddress);
         well &= Check.Run("the component reconnects, subscribes again and reports it on the main thread", ComponentAgain);
+        well &= Check.Run("the component reports a refused subscription and asks for it once", ComponentRefused);
         well &= Check.Run("a rumble that connects first keeps no event from the component", RumbleConnects);
         well &= Check.Run("the racer's impacts are eight separate steps", RacerSteps);
         well &= Check.Run("the racer's car is felt", RacerFelt);

@@ -107,6 +107,44 @@ internal static partial class Live
         }
     }
 
+    /// A misspelt field, before the connection and on it.
+    private static void ComponentRefused()
+    {
+        using (var relay = new Relay(address))
+        {
+            var ball = new HedgehogBall();
+            ball.Set("address", relay.Address);
+            int again = 0;
+            string happened = null;
+            ball.Reconnected += () => ++again;
+            ball.EventReceived += one => happened = one.Slot ?? happened;
+            ball.SubscribeTelemetry(10f, "temprature_c");
+            ball.Message("OnEnable");
+            Frames(ball, () => ball.Problem.Contains("temprature_c"));
+            int lines = relay.Lines;
+            for (int frame = 0; frame < 200; ++frame) Frames(ball, () => true);
+            Check.That(ball.Problem.Contains("temprature_c"), ball.Problem);
+            Check.Equal(lines, relay.Lines, "lines that were sent");
+            Frames(ball, () => ball.Rumble("wheel", 0.5f, Vector3.up) && happened == "wheel");
+
+            relay.Refuse();
+            Frames(ball, () => ball.Problem.StartsWith("the connection to the daemon has ended"));
+            relay.Accept();
+            Frames(ball, () => again > 0 && ball.Problem.Contains("temprature_c"));
+            Check.Equal(1, again, "reports of a new connection");
+
+            Results.Telemetry status = null;
+            ball.TelemetryReceived += now => status = now;
+            ball.SubscribeTelemetry(50f, "limit_a");
+            Frames(ball, () => status != null && ball.Problem == "");
+            ball.SubscribeTelemetry(10f, "temprature_c");
+            Frames(ball, () => ball.Problem.Contains("temprature_c"));
+            ball.SubscribeTelemetry(0f);
+            Frames(ball, () => ball.Problem == "");
+            ball.Message("OnDisable");
+        }
+    }
+
     private static void RumbleConnects()
     {
         var ball = new HedgehogBall();

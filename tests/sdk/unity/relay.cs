@@ -14,6 +14,13 @@ internal sealed class Relay : IDisposable
     private readonly string host;
     private readonly int port;
     private bool refuses;
+    private int lines;
+
+    /// Lines that clients have sent.
+    public int Lines
+    {
+        get { return Volatile.Read(ref lines); }
+    }
 
     public Relay(string address)
     {
@@ -68,8 +75,19 @@ internal sealed class Relay : IDisposable
             open.Add(near);
             open.Add(far);
             NetworkStream there = far.GetStream(), here = near.GetStream();
-            Start(() => here.CopyTo(there));
+            Start(() => Forward(here, there));
             Start(() => there.CopyTo(here));
+        }
+    }
+
+    private void Forward(NetworkStream from, NetworkStream to)
+    {
+        var bytes = new byte[1 << 16];
+        for (int count = from.Read(bytes, 0, bytes.Length); count > 0; count = from.Read(bytes, 0, bytes.Length))
+        {
+            for (int i = 0; i < count; ++i)
+                if (bytes[i] == (byte)'\n') Interlocked.Increment(ref lines);
+            to.Write(bytes, 0, count);
         }
     }
 

@@ -56,7 +56,7 @@ assembly Hedgehog.Samples.Racer Samples~/Racer Hedgehog.Client.dll Hedgehog.Unit
 all=(-r:"$work/bin/Hedgehog.Client.dll" -r:"$work/bin/Hedgehog.Unity.dll" -r:"$work/bin/Hedgehog.Editor.dll"
   -r:"$work/bin/Hedgehog.Samples.Racer.dll" -r:"$work/bin/UnityStub.dll")
 # Compiled with the library's sources, for access to internal members.
-compile -out:"$work/bin/core_test.exe" "$here/check.cs" "$here/core_test.cs" -recurse:"$package/Runtime/Core/*.cs"
+compile -out:"$work/bin/core_test.exe" -r:System.Core.dll "$here/check.cs" "$here/core_test.cs" -recurse:"$package/Runtime/Core/*.cs"
 compile -out:"$work/bin/conformance.exe" "${all[@]}" -r:System.Core.dll "$here/check.cs" "$here/conformance.cs" \
   "$here/libraries.cs" "$here/ended_enumeration.cs"
 compile -out:"$work/bin/live.exe" "${all[@]}" "$here/check.cs" "$here/relay.cs" "$here/live.cs" "$here/live_component.cs"

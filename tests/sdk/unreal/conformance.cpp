@@ -31,7 +31,11 @@ class Player {
       wait_until([this] { return client_.is_open() || !ended_.empty(); });
       check(client_.is_open(), ended_);
     }
-    for (const Json& step : steps.items()) take(step);
+    for (const Json& step : steps.items()) {
+      const double began_s = FPlatformTime::Seconds();
+      take(step);
+      check(FPlatformTime::Seconds() - began_s >= step["at_least_s"].number(), "too early");
+    }
     client_.close();
   }
 
@@ -45,6 +49,7 @@ class Player {
     };
     all.subscription_ended = [this](const std::string& method, const Answer& refusal) {
       subscriptions_ended_.emplace_back(method + ": " + refusal.message);
+      if (!asked_when_ended_.empty()) request(asked_when_ended_, Json::object());
     };
     return all;
   }
@@ -59,8 +64,15 @@ class Player {
     } else if (step["reconnected"].is(Json::Kind::kNumber)) {
       check(connections_ - 1 == step["reconnected"].number(), "connected more or less often");
     } else if (step["ask"].is(Json::Kind::kString)) {
-      client_.request(
-          step["ask"].text(), params, [this](const Answer& answer) { asked_ = answer; });
+      request(step["ask"].text(), params);
+    } else if (step["ask_when_ended"].is(Json::Kind::kString)) {
+      asked_when_ended_ = step["ask_when_ended"].text();
+    } else if (step["flood"].is(Json::Kind::kString)) {
+      flood(step["flood"].text());
+    } else if (step["rumble_again"].is(Json::Kind::kString)) {
+      wait_until([this, &step] {
+        return client_.rumble(step["rumble_again"].text(), step["strength"].number(), Json());
+      });
     } else if (step["answered"].truth()) {
       wait_until([this] { return asked_.has_value(); });
       check_outcome(step, *asked_);
@@ -104,6 +116,19 @@ class Player {
     }
   }
 
+  void request(const std::string& method, const Json& params) {
+    client_.request(
+        method, params, [this](const Answer& answer) { asked_ = answer; });
+  }
+
+  /// Far more than what the kernel and the core keep, in lines shorter than 64 KiB.
+  void flood(const std::string& method) {
+    const Json params = Json::object({{"text", std::string(30'000, 'x')}});
+    for (int line = 0; line < 2000; ++line)
+      if (!client_.notify(method, params)) return;
+    check(false, "what the daemon does not read is kept");
+  }
+
   Answer ask(const std::string& method, const Json& params) {
     std::optional<Answer> came;
     client_.request(
@@ -129,6 +154,7 @@ class Player {
   int connections_ = 0;
   std::string ended_;
   std::optional<Answer> asked_;
+  std::string asked_when_ended_;
   std::vector<Json> subscriptions_ended_;
   std::deque<std::pair<std::string, Json>> notifications_;
   Client client_;

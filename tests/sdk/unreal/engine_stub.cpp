@@ -123,9 +123,11 @@ static FAddressInfoResult addresses_of(const std::string& host) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* list = nullptr;
   if (getaddrinfo(host.c_str(), nullptr, &hints, &list) != 0) return found;
-  const auto* first = reinterpret_cast<const std::byte*>(list->ai_addr);
-  found.Results.push_back(
-      {std::make_shared<FInternetAddr>(std::vector<std::byte>(first, first + list->ai_addrlen))});
+  for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
+    const auto* first = reinterpret_cast<const std::byte*>(one->ai_addr);
+    found.Results.push_back(
+        {std::make_shared<FInternetAddr>(std::vector<std::byte>(first, first + one->ai_addrlen))});
+  }
   freeaddrinfo(list);
   return found;
 }

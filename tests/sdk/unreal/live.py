@@ -119,6 +119,11 @@ class Live(unittest.TestCase):
             known.touch()
             self.assertIn("connected", self.wait_for(game, "over"))
 
+    def test_each_address_of_a_name_is_tried(self):
+        _, _, port = self.start_daemon().address.partition(":")
+        game = self.start("slow_name", "several.test:" + port, LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
+        self.assertIn("connected", self.wait_for(game, "over"))
+
     def test_a_name_without_address_is_reported_in_a_sentence(self):
         game = self.start("missing_daemon", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
         self.assertIn("the daemon does not run: unknown.test:7586: no daemon answers there", self.wait_for(game, "over"))
@@ -131,6 +136,9 @@ class Live(unittest.TestCase):
         for address in ("host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x"):
             lines = self.wait_for(self.start("missing_daemon", address), "over")
             self.assertTrue(any(line.startswith("'%s' is no address of a daemon: " % address) for line in lines), lines)
+        for address in ("tls://ball-host", "mdns://ball-7"):
+            lines = self.wait_for(self.start("missing_daemon", address), "over")
+            self.assertTrue(any("; hedgehogctl tunnel %s " % address in line for line in lines), lines)
 
 
 class Generated(unittest.TestCase):

@@ -41,7 +41,7 @@ var address := ""
 var client_name := "godot"
 # Connecting, and waiting for a response, take no longer.
 var timeout_s := 2.0
-# Of roles beyond those of this machine.
+# Of roles beyond those of this machine; empty: HEDGEHOG_TOKEN.
 var token := ""
 # What the daemon tells of itself; empty: not connected.
 var hello := {}
@@ -104,8 +104,9 @@ func notify(method: String, params: Dictionary = {}) -> bool:
 	if not is_open() or Values.non_finite(params, "") != "":
 		return false
 	var known = Values.given(params)
+	if not _session.send(method, known):
+		return false
 	_subscriptions.change(null, method, known)
-	_session.send(method, known)
 	return true
 
 
@@ -186,7 +187,8 @@ func _connect() -> void:
 		_report_outage(_place.error)
 		_fail_all([], Request.BAD_ADDRESS, _place.error)
 		return
-	var introduction = {"client": client_name, "protocol": "1", "token": token if token != "" else null}
+	var shown = token if token != "" else OS.get_environment("HEDGEHOG_TOKEN")
+	var introduction = {"client": client_name, "protocol": "1", "token": shown if shown != "" else null}
 	_session = Session.new(_engine, self, Values.given(introduction), timeout_s)
 	_session.start(_resolver, _place.host, _place.port)
 
@@ -216,7 +218,7 @@ func on_connected() -> void:
 
 # The daemon refused the introduction, is gone, or was never there.
 func _lose() -> void:
-	_back_off()
+	_back_off(_session.retry_after_s())
 	var reason = "the connection to the daemon has ended: %s" % _session.ended
 	if not _session.was_reached():
 		reason = "the daemon does not run: %s: %s" % [Address.describe(_place), _session.ended]
@@ -282,9 +284,10 @@ func _report_later() -> void:
 			asked.fail(asked.failure, asked.message, asked.retry_after_s)
 
 
-func _back_off() -> void:
+# `at_least_s`: the daemon wants no connection earlier.
+func _back_off(at_least_s: float = 0.0) -> void:
 	_wait_s = min(MAX_WAIT_S, 2.0 * _wait_s) if _wait_s > 0.0 else FIRST_WAIT_S
-	_next_attempt_s = _engine.now_s() + _wait_s
+	_next_attempt_s = _engine.now_s() + max(_wait_s, at_least_s)
 
 
 func _remaining_s() -> float:

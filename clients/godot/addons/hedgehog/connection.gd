@@ -39,11 +39,15 @@ func is_open() -> bool:
 	return _open and ended == ""
 
 
-func send(line: String) -> void:
+# false: it has ended.
+func send(line: String) -> bool:
+	if ended != "":
+		return false
 	_unsent.append_array(_engine.to_bytes(line + "\n"))
 	_flush()
 	if _unsent.size() > MAX_UNSENT:
-		ended = "the daemon does not read"
+		ended = "the daemon does not read what it is sent"
+	return ended == ""
 
 
 # What came since the last call: whole lines.
@@ -53,6 +57,9 @@ func receive() -> Array:
 		_connect()
 	if ended != "" or _host != "":
 		return lines
+	# First: a look at the state of a connection that the daemon has reset discards what it sent before.
+	if _open:
+		_read_available(lines)
 	_engine.poll(_peer)
 	var status = _peer.get_status()
 	if status == StreamPeerTCP.STATUS_CONNECTING:
@@ -63,8 +70,7 @@ func receive() -> Array:
 			# Small lines would wait up to 40 ms for others.
 			_peer.set_no_delay(true)
 		_flush()
-		while ended == "" and _peer.get_available_bytes() > 0:
-			_read(lines)
+		_read_available(lines)
 	elif ended == "":
 		ended = "the daemon closed it" if _open else "nobody listens there"
 	return lines
@@ -95,6 +101,11 @@ func _flush() -> void:
 		ended = "it cannot be written to"
 		return
 	_unsent = _engine.part(_unsent, sent[1], _unsent.size())
+
+
+func _read_available(lines: Array) -> void:
+	while ended == "" and _peer.get_available_bytes() > 0:
+		_read(lines)
 
 
 func _read(lines: Array) -> void:

@@ -3,12 +3,17 @@
 
 const Connection = preload("res://addons/hedgehog/connection.gd")
 
+# The longest wait until the next connection that a daemon can ask for.
+const MAX_RETRY_AFTER_S := 60.0
+
 # What the daemon told of itself; empty: not yet.
 var hello := {}
 # Set once it has ended: why.
 var ended := ""
 # Of the introduction, an error of JSON-RPC; empty: none.
 var refusal := {}
+# The error that the daemon sent last, if it answers no request: why it closes the connection; empty: none.
+var notice := {}
 
 var _engine
 # Is given what comes: on_notification(method, params), on_answer(request, accepted), on_subscription_ended(request).
@@ -51,14 +56,14 @@ func ask(request, params: Dictionary) -> void:
 	send(request.method, params, _last_id)
 
 
-# Without `id` there is no response.
-func send(method: String, params: Dictionary, id: int = 0) -> void:
+# Without `id` there is no response. false: the connection has ended.
+func send(method: String, params: Dictionary, id: int = 0) -> bool:
 	var message = {"jsonrpc": "2.0", "method": method}
 	if id > 0:
 		message["id"] = id
 	if params.size() > 0:
 		message["params"] = params
-	_connection.send(_engine.to_text(message))
+	return _connection.send(_engine.to_text(message))
 
 
 func poll() -> void:
@@ -68,11 +73,18 @@ func poll() -> void:
 		if ended != "":
 			return
 	if _connection.ended != "":
-		ended = _connection.ended
+		ended = str(notice.get("message", _connection.ended))
 	elif _connection.is_open() and _hello_id == 0:
 		_introduce()
 	else:
 		_check_deadlines()
+
+
+# So long the daemon wants no other connection; 0: it does not say.
+func retry_after_s() -> float:
+	var data = notice.get("data")
+	var wait_ms = data.get("retry_after_ms") if data is Dictionary else null
+	return min(MAX_RETRY_AFTER_S, float(wait_ms) / 1000.0) if wait_ms != null and str(wait_ms).is_valid_float() else 0.0
 
 
 # Requests that have no answer and will get none.
@@ -107,6 +119,7 @@ func _receive(line: String) -> void:
 	if not message is Dictionary:
 		ended = "what answers is no Hedgehog daemon"
 		return
+	notice = message.error if message.get("id") == null and message.get("error") is Dictionary else {}
 	if message.has("method"):
 		var params = message.get("params")
 		_listener.on_notification(str(message.method), params if params is Dictionary else {})

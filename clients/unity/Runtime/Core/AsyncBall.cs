@@ -15,8 +15,6 @@ namespace Hedgehog
     /// Any thread; two threads of its own read and write. Tasks end with RequestError or NotConnected.</summary>
     public sealed class AsyncBall : AsyncMethods, IDisposable
     {
-        /// Notifications that nobody has fetched; the oldest are dropped.
-        private const int MaxWaiting = 10000;
         private const int ReceiveBytes = 1 << 16;
 
         private readonly object gate = new object();
@@ -29,7 +27,7 @@ namespace Hedgehog
         private readonly Subscriptions subscriptions = new Subscriptions();
         /// What was asked for again on this connection.
         private readonly Dictionary<long, Subscriptions.Change> renewals = new Dictionary<long, Subscriptions.Change>();
-        private readonly Queue<Notification> notifications = new Queue<Notification>();
+        private readonly Notifications notifications = new Notifications();
         private TaskCompletionSource<Results.Hello> opening;
         private Wire wire;
         private Results.Hello welcome;
@@ -40,15 +38,18 @@ namespace Hedgehog
         /// <summary>After each connection but the first, on a thread of the library.</summary>
         public event Action<Results.Hello> Reconnected;
 
-        /// <summary>The daemon of a new connection refuses a subscription; it has ended. On a thread of the library.</summary>
+        /// <summary>The daemon of a new connection refuses a subscription; it has ended. On a thread of the library, which may call
+        /// this ball.</summary>
         public event Action<SubscriptionEnded> SubscriptionEnded;
 
         /// <summary>Does not connect yet. address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; null: found as by every
         /// client. name: of this game, as the daemon's log shows it. timeoutS: the longest that connecting, and waiting for a
-        /// response, take. token: of roles beyond those of this machine. Throws AddressError.</summary>
+        /// response, take. token: of roles beyond those of this machine, else HEDGEHOG_TOKEN. Throws AddressError.</summary>
         public AsyncBall(string address = null, string name = "unity", double timeoutS = 2.0, string token = null)
         {
             addresses = Address.OfDaemon(address);
+            if (token == null) token = Environment.GetEnvironmentVariable("HEDGEHOG_TOKEN");
+            if (token == "") token = null;
             introduction = new Params().Set("client", name).Set("protocol", "1").Set("token", token);
             timeoutMs = (int)Math.Max(1.0, Math.Min(1000.0 * timeoutS, 3600000.0));
         }
@@ -138,28 +139,30 @@ namespace Hedgehog
         {
             lock (gate)
             {
-                notification = notifications.Count > 0 ? notifications.Dequeue() : null;
+                notification = notifications.Take(null);
                 return notification != null;
             }
         }
 
-        /// <summary>The same, and waits for one. False: none came in time. Throws NotConnected, and SubscriptionEnded when that kind
-        /// ("events") has ended and nothing is left of it.</summary>
+        /// <summary>The same, and waits for one. kind: of that subscription ("events") only; null: of all. False: none came in time.
+        /// Throws NotConnected, and SubscriptionEnded when that kind has ended and nothing is left of it.</summary>
         internal bool Next(out Notification notification, double timeoutS, string kind = null)
         {
             double untilS = clock.Elapsed.TotalSeconds + timeoutS;
+            string method = kind == "events" ? "event" : kind;
             lock (gate)
             {
-                while (notifications.Count == 0)
+                for (;;)
                 {
+                    notification = notifications.Take(method);
+                    if (notification != null) return true;
                     SubscriptionEnded ended = subscriptions.EndOf(kind);
                     if (ended != null) throw ended;
                     if (wire == null) throw new NotConnected("the connection to the daemon has ended");
                     double leftS = untilS - clock.Elapsed.TotalSeconds;
-                    if (leftS <= 0.0) break;
+                    if (leftS <= 0.0) return false;
                     Monitor.Wait(gate, (int)Math.Ceiling(1000.0 * Math.Min(leftS, 60.0)));
                 }
-                return TryNext(out notification);
             }
         }
 
@@ -209,7 +212,9 @@ namespace Hedgehog
                 if (closed) End("this ball is closed");
                 else Introduce(opened);
             }
-            EndOf(opened, Read(opened));
+            var notice = new Notice();
+            string why = Read(opened, notice);
+            EndOf(opened, why, notice.RetryAfterS);
         }
 
         private void Introduce(Wire to)
@@ -271,7 +276,7 @@ namespace Hedgehog
         }
 
         /// Why it ended.
-        private string Read(Wire from)
+        private string Read(Wire from, Notice notice)
         {
             var exchange = new Exchange();
             var bytes = new byte[ReceiveBytes];
@@ -280,13 +285,17 @@ namespace Hedgehog
                 for (;;)
                 {
                     int count = from.Receive(bytes);
-                    if (count <= 0) return "the daemon closed it";
-                    foreach (var message in exchange.Receive(bytes, count)) Take(message);
+                    if (count <= 0) return notice.Or("the daemon closed it");
+                    foreach (var message in exchange.Receive(bytes, count))
+                    {
+                        notice.Take(message);
+                        Take(message);
+                    }
                 }
             }
             catch (SocketException error)
             {
-                return Words(error);
+                return notice.Or(Words(error));
             }
             catch (FormatException error)
             {
@@ -302,8 +311,7 @@ namespace Hedgehog
                 string method = message["method"].Text;
                 if (method != null)
                 {
-                    if (notifications.Count >= MaxWaiting) notifications.Dequeue();
-                    notifications.Enqueue(new Notification(method, message["params"]));
+                    notifications.Add(new Notification(method, message["params"]));
                     Monitor.PulseAll(gate);
                     return;
                 }
@@ -320,7 +328,8 @@ namespace Hedgehog
                 if (ended != null) Monitor.PulseAll(gate);
             }
             Action<SubscriptionEnded> told = SubscriptionEnded;
-            if (ended != null && told != null) told(ended);
+            // By another thread: this one reads the responses to what a handler asks for. What a handler throws is an unobserved exception.
+            if (ended != null && told != null) Task.Run(() => told(ended));
         }
 
         /// null: nothing has ended by this response.
@@ -333,16 +342,16 @@ namespace Hedgehog
         }
 
         /// Unless another connection has followed.
-        private void EndOf(Wire of, string why)
+        private void EndOf(Wire of, string why, double retryAfterS = 0.0)
         {
             lock (gate)
             {
-                if (wire == of) End(why);
+                if (wire == of) End(why, retryAfterS: retryAfterS);
             }
         }
 
         /// Everybody who waits is told.
-        private void End(string why, string before = "the connection to the daemon has ended: ")
+        private void End(string why, string before = "the connection to the daemon has ended: ", double retryAfterS = 0.0)
         {
             lock (gate)
             {
@@ -350,7 +359,7 @@ namespace Hedgehog
                 wire = null;
                 welcome = null;
                 double nowS = clock.Elapsed.TotalSeconds;
-                backoff.Failed(nowS);
+                backoff.Failed(nowS, retryAfterS);
                 var lost = new NotConnected(before + why, backoff.RemainingS(nowS));
                 foreach (var asked in pending.Values) asked.Fail(lost);
                 pending.Clear();
@@ -367,7 +376,8 @@ namespace Hedgehog
             {
                 case SocketError.ConnectionRefused: return "Connection refused";
                 case SocketError.HostNotFound: return "no such host";
-                case SocketError.TimedOut: return "no answer";
+                case SocketError.TimedOut:
+                case SocketError.WouldBlock: return "no answer";
                 default: return error.Message;
             }
         }

@@ -17,10 +17,11 @@ namespace Hedgehog
             return Math.Max(0.0, nextS - nowS);
         }
 
-        public void Failed(double nowS)
+        /// <summary>atLeastS: the daemon wants no connection earlier.</summary>
+        public void Failed(double nowS, double atLeastS)
         {
             waitS = waitS > 0.0 ? Math.Min(MaxS, 2.0 * waitS) : FirstS;
-            nextS = nowS + waitS;
+            nextS = nowS + Math.Max(waitS, atLeastS);
         }
 
         public void Succeeded()

@@ -87,6 +87,7 @@ namespace Hedgehog
             }
             if (flush && Thread.CurrentThread != writer) writer.Join(FlushMs);
             Shut();
+            socket.Close();
         }
 
         private void Shut()
@@ -102,7 +103,6 @@ namespace Hedgehog
             catch (ObjectDisposedException)
             {
             }
-            socket.Close();
         }
 
         private void Write()
@@ -115,6 +115,7 @@ namespace Hedgehog
             }
             catch (SocketException)
             {
+                // What the daemon sent before is still read.
                 Shut();
             }
             catch (ObjectDisposedException)
@@ -140,7 +141,10 @@ namespace Hedgehog
             {
                 if (isUnix)
                 {
+                    // Of connecting too, which waits while the daemon's queue of clients is full.
+                    socket.SendTimeout = timeoutMs;
                     socket.Connect(place);
+                    socket.SendTimeout = 0;
                     return socket;
                 }
                 IAsyncResult connecting = socket.BeginConnect(place, null, null);

@@ -25,6 +25,12 @@ namespace Hedgehog.Unity
         /// The connection on which this has subscribed, and the one that was reported; null: none.
         private volatile Results.Hello prepared;
         private Results.Hello reported;
+        /// Why there is no connection, and the refusals of this component's subscriptions on it; empty: none.
+        private string connectionProblem = "";
+        private string eventsProblem = "";
+        private string telemetryProblem = "";
+        /// Of SubscribeTelemetry.
+        private int telemetryRequests;
         private float telemetryHz;
         private string[] telemetryFields;
 
@@ -49,8 +55,11 @@ namespace Hedgehog.Unity
             get { return client != null && client.Connected; }
         }
 
-        /// <summary>Why nothing is felt, one sentence; empty: it is.</summary>
-        public string Problem { get; private set; }
+        /// <summary>Why nothing is felt, or why events or telemetry do not come, one sentence; empty: all is well.</summary>
+        public string Problem
+        {
+            get { return connectionProblem != "" ? connectionProblem : eventsProblem != "" ? eventsProblem : telemetryProblem; }
+        }
 
         /// <summary>A vibration that goes on while this is called every frame: strength 0..1, 0 ends it. direction as Unity has it:
         /// x right, y up, z forward; zero: none. False: there is no daemon.</summary>
@@ -66,7 +75,7 @@ namespace Hedgehog.Unity
         {
             Results.Hello hello = client == null ? null : client.Hello;
             if (hello == null)
-                return Observed(Task.FromException<Results.Admission>(new NotConnected(Problem ?? "the ball is not connected")));
+                return Observed(Task.FromException<Results.Admission>(new NotConnected(Problem != "" ? Problem : "the ball is not connected")));
             double level = Hedgehog.Rumble.FeltLevel(gain * strength, hello.Limits.FeltA, hello.Limits.CurrentA);
             return Observed(client.Pulse(ToBall(direction), level: level, durationMs: durationMs, priority: priority));
         }
@@ -78,14 +87,13 @@ namespace Hedgehog.Unity
         }
 
         /// <summary>From now on TelemetryReceived comes so many times a second, after a lost connection too; 0 ends it. fields: keys
-        /// of the status; none: all but pins. There is one telemetry a component; the last call holds.</summary>
+        /// of the status; none: all but pins. There is one telemetry a component; the last call holds. Problem has the daemon's refusal.
+        /// </summary>
         public void SubscribeTelemetry(float rateHz, params string[] fields)
         {
             telemetryHz = rateHz;
             telemetryFields = fields.Length == 0 ? null : fields;
-            if (!Connected) return;
-            if (rateHz > 0f) Observed(client.TelemetrySubscribe(rateHz, telemetryFields));
-            else Observed(client.TelemetryUnsubscribe());
+            if (Connected) Observed(AskForTelemetry(client));
         }
 
         /// <summary>A Unity vector in the ball's frame; null for zero.</summary>
@@ -96,14 +104,14 @@ namespace Hedgehog.Unity
 
         private void OnEnable()
         {
-            Problem = "the daemon has not been reached yet";
+            connectionProblem = "the daemon has not been reached yet";
             try
             {
                 client = new AsyncBall(address, Application.productName);
             }
             catch (AddressError error)
             {
-                Problem = error.Message;
+                connectionProblem = error.Message;
                 Debug.LogWarning(Problem, this);
             }
         }
@@ -112,7 +120,7 @@ namespace Hedgehog.Unity
         {
             if (client == null) return;
             Results.Hello hello = client.Hello;
-            if (hello == null && Problem == "") Problem = "the connection to the daemon has ended";
+            if (hello == null && connectionProblem == "") connectionProblem = "the connection to the daemon has ended";
             // A rumble may have connected it meanwhile, which subscribes to nothing new.
             bool due = hello == null || hello != prepared;
             if (due && client.RetryAfterS <= 0.0 && (opening == null || opening.IsCompleted)) opening = Open(client);
@@ -141,6 +149,7 @@ namespace Hedgehog.Unity
             AsyncBall ended = client;
             client = null;
             prepared = reported = null;
+            connectionProblem = eventsProblem = telemetryProblem = "";
             if (ended != null) ended.Dispose();
         }
 
@@ -150,16 +159,41 @@ namespace Hedgehog.Unity
             {
                 await of.Open();
                 Results.Hello hello = of.Hello;
-                await of.EventsSubscribe();
-                if (telemetryHz > 0f) await of.TelemetrySubscribe(telemetryHz, telemetryFields);
-                else await of.TelemetryUnsubscribe();
+                string refusal = await RefusalOf(of.EventsSubscribe());
+                await AskForTelemetry(of);
                 if (of != client) return;
-                Problem = "";
+                eventsProblem = refusal;
+                connectionProblem = "";
+                // Also after a refusal: the same request would be refused again.
                 prepared = hello;
             }
             catch (BallError error)
             {
-                Problem = error.Message;
+                if (of == client) connectionProblem = error.Message;
+            }
+        }
+
+        private async Task<bool> AskForTelemetry(AsyncBall of)
+        {
+            int number = ++telemetryRequests;
+            string refusal = telemetryHz > 0f ? await RefusalOf(of.TelemetrySubscribe(telemetryHz, telemetryFields))
+                                              : await RefusalOf(of.TelemetryUnsubscribe());
+            // Unless the game has asked for another meanwhile.
+            if (of == client && number == telemetryRequests) telemetryProblem = refusal;
+            return refusal == "";
+        }
+
+        /// Empty: the daemon has accepted it. Throws NotConnected.
+        private static async Task<string> RefusalOf<T>(Task<T> request)
+        {
+            try
+            {
+                await request;
+                return "";
+            }
+            catch (RequestError error)
+            {
+                return error.Message;
             }
         }
 

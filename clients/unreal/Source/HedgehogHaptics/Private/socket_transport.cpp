@@ -39,13 +39,21 @@ class FHedgehogTransport final : public Transport {
   State state() override {
     if (Lookup != nullptr) {
       if (!Lookup->IsDone()) return State::kConnecting;
-      Connect(*Lookup->Found);
+      Found.emplace(*Lookup->Found);
       Lookup.reset();
+      ConnectNext();
     }
     if (Socket == nullptr) return State::kEnded;
-    if (Socket->GetConnectionState() == SCS_ConnectionError) return State::kEnded;
-    if (!bOpen) bOpen = Socket->Wait(ESocketWaitConditions::WaitForWrite, FTimespan::Zero());
-    return bOpen ? State::kOpen : State::kConnecting;
+    const bool bFailed = Socket->GetConnectionState() == SCS_ConnectionError;
+    if (bOpen) return bFailed ? State::kEnded : State::kOpen;
+    if (!bFailed) bOpen = Socket->Wait(ESocketWaitConditions::WaitForWrite, FTimespan::Zero());
+    if (bOpen) return State::kOpen;
+    const bool bSilent = Next < Found->Results.Num() && FPlatformTime::Seconds() > AttemptEndS;
+    if (bFailed || bSilent) {
+      Destroy();
+      ConnectNext();
+    }
+    return Socket != nullptr ? State::kConnecting : State::kEnded;
   }
 
   std::size_t send(std::string_view Bytes, bool& bEnded) override {
@@ -68,9 +76,17 @@ class FHedgehogTransport final : public Transport {
   }
 
  private:
-  void Connect(const FAddressInfoResult& Found) {
-    if (Found.Results.Num() == 0) return;
-    const TSharedRef<FInternetAddr> Remote = Found.Results[0].Address;
+  /// Time for an address that does not answer while there are others.
+  static constexpr double AttemptS = 0.5;
+
+  /// Begins with the next address of the name; without a socket none is left.
+  void ConnectNext() {
+    while (Socket == nullptr && Next < Found->Results.Num())
+      Connect(Found->Results[Next++].Address);
+  }
+
+  void Connect(const TSharedRef<FInternetAddr>& Remote) {
+    AttemptEndS = FPlatformTime::Seconds() + AttemptS;
     Remote->SetPort(Port);
     Socket = Subsystem->CreateSocket(NAME_Stream, TEXT("Hedgehog"), Remote->GetProtocolType());
     if (Socket == nullptr) return;
@@ -95,6 +111,10 @@ class FHedgehogTransport final : public Transport {
   ISocketSubsystem* Subsystem;
   /// Null once the addresses are resolved.
   std::shared_ptr<FHedgehogLookup> Lookup;
+  std::optional<FAddressInfoResult> Found;
+  /// Index in Found of the next address.
+  int32 Next = 0;
+  double AttemptEndS = 0.0;
   std::uint16_t Port;
   FSocket* Socket = nullptr;
   bool bOpen = false;

@@ -30,6 +30,11 @@ unsigned port_of(std::string_view text) {
 Address parse_address(std::string_view text) {
   if (text.substr(0, 5) == "unix:" || text.substr(0, 1) == "/")
     return bad(text, "Unreal's sockets know no Unix sockets");
+  if (text.substr(0, 6) == "tls://" || text.substr(0, 7) == "mdns://") {
+    const std::string why = "the plugin has neither TLS nor a search; hedgehogctl tunnel " +
+                            std::string(text) + " makes it 127.0.0.1:7586";
+    return bad(text, why.c_str());
+  }
   const std::string_view place = text.substr(0, 4) == "tcp:" ? text.substr(4) : text;
   std::string_view host = place;
   std::string_view rest;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace hedgehog::unreal {
 
@@ -103,6 +104,11 @@ const Json& Client::hello() const {
   return is_open() ? session_->hello() : kNone;
 }
 
+std::string Client::shown_token() const {
+  const char* const named = std::getenv("HEDGEHOG_TOKEN");
+  return settings_.token.empty() && named != nullptr ? named : settings_.token;
+}
+
 void Client::connect() {
   place_ = find_daemon(settings_.address);
   if (!place_.error.empty()) {
@@ -113,7 +119,8 @@ void Client::connect() {
     return;
   }
   Json introduction = Json::object({{"client", settings_.name}, {"protocol", "1"}});
-  if (!settings_.token.empty()) introduction.set("token", settings_.token);
+  const std::string token = shown_token();
+  if (!token.empty()) introduction.set("token", token);
   session_ =
       std::make_shared<Session>(connect_(place_), std::move(introduction), settings_.timeout_s,
                                 now_s_, [this](const std::string& method, const Json& params) {
@@ -137,7 +144,7 @@ void Client::begin() {
 
 /// The connection was lost, could not be established, or the hello was refused.
 void Client::lose() {
-  back_off();
+  back_off(session_->retry_after_s());
   std::string reason = "the connection to the daemon has ended: " + session_->ended();
   if (!session_->was_reached())
     reason = "the daemon does not run: " + to_string(place_) + ": " + session_->ended();
@@ -175,9 +182,9 @@ void Client::report_later() {
   for (const auto& [on_answer, answer] : std::exchange(later_, {})) on_answer(answer);
 }
 
-void Client::back_off() {
+void Client::back_off(double min_s) {
   wait_s_ = wait_s_ > 0.0 ? std::min(kMaxWaitS, 2.0 * wait_s_) : kFirstWaitS;
-  next_attempt_s_ = now_s_ + wait_s_;
+  next_attempt_s_ = now_s_ + std::max(wait_s_, min_s);
 }
 
 double Client::remaining_s() const { return std::max(0.0, next_attempt_s_ - now_s_); }

@@ -23,7 +23,7 @@ struct Settings {
   std::string name = "unreal";
   /// Timeout of connecting and of a response.
   double timeout_s = 2.0;
-  /// For roles beyond the default of this machine.
+  /// For roles beyond the default of this machine; empty: HEDGEHOG_TOKEN.
   std::string token{};
 };
 
@@ -78,6 +78,7 @@ class Client {
   };
   void ask(Waiting one);
   void renew(const Subscriptions::Change& one);
+  std::string shown_token() const;
   void connect();
   void begin();
   void lose();
@@ -85,7 +86,8 @@ class Client {
   void fail_all(std::vector<OnAnswer> unanswered, const Answer& answer);
   void fail_later(OnAnswer on_answer, Answer answer);
   void report_later();
-  void back_off();
+  /// `min_s`: lower bound of the wait.
+  void back_off(double min_s = 0.0);
   double remaining_s() const;
 
   Settings settings_;

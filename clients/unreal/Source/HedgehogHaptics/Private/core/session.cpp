@@ -71,6 +71,11 @@ void Session::ask(const std::string& method, const Json& params, OnAnswer on_ans
 
 void Session::notify(const std::string& method, const Json& params) { send(method, params, 0); }
 
+double Session::retry_after_s() const {
+  const double wait_s = notice_["data"]["retry_after_ms"].number() / 1000.0;
+  return std::clamp(wait_s, 0.0, kMaxRetryAfterS);
+}
+
 std::vector<OnAnswer> Session::close(std::string reason) {
   ended_ = std::move(reason);
   transport_.reset();
@@ -99,7 +104,7 @@ void Session::flush() {
     writable_ = false;
     unsent_.clear();
   } else if (unsent_.size() > kMaxUnsent) {
-    ended_ = "the daemon does not read";
+    ended_ = "the daemon does not read what it is sent";
   }
 }
 
@@ -113,7 +118,9 @@ void Session::read() {
     take({bytes, count});
   }
   if (!ended_.empty()) return;
-  if (ended)
+  if ((ended || !writable_) && !notice_["message"].text().empty())
+    ended_ = notice_["message"].text();
+  else if (ended)
     ended_ = reached_ ? "the daemon closed it" : kNobody;
   else if (!writable_)
     ended_ = "it cannot be written to";
@@ -138,6 +145,8 @@ void Session::take_line(const std::string& line) {
     ended_ = kNoDaemon;
     return;
   }
+  const bool answers = !(*message)["id"].is(Json::Kind::kNull);
+  notice_ = answers ? Json() : (*message)["error"];
   if ((*message)["method"].is(Json::Kind::kString)) {
     const Json& params = (*message)["params"];
     on_notification_((*message)["method"].text(), params);

@@ -21,6 +21,7 @@ class Session {
   static constexpr std::size_t kMaxLine = std::size_t{4} << 20;
   /// Limit of unsent bytes while the daemon does not read.
   static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
+  static constexpr double kMaxRetryAfterS = 60.0;
   using OnNotification = std::function<void(const std::string& method, const Json& params)>;
 
   Session(std::unique_ptr<Transport> transport, Json introduction, double timeout_s, double now_s,
@@ -42,6 +43,8 @@ class Session {
   const Json& hello() const { return hello_; }
   /// JSON-RPC's error in response to the hello; null: none.
   const Json& refusal() const { return refusal_; }
+  /// The daemon requests no connection earlier than after this time, at most `kMaxRetryAfterS`.
+  double retry_after_s() const;
 
  private:
   struct Pending {
@@ -71,6 +74,8 @@ class Session {
   bool writable_ = true;
   Json hello_;
   Json refusal_;
+  /// Last message, if it is an error without an id: why the daemon closes the connection.
+  Json notice_;
   std::int64_t last_id_ = 0;
   std::vector<Pending> pending_;
 };
