@@ -109,9 +109,9 @@ class FirmwareBoard : public Bench {
     return event.is_object() && event["us"].get<double>() > driven_us_ ? event : Json();
   }
   /// Expects that the current of a board that has driven until now ends after its `event`, which
-  /// occurs `least_us` to `most_us` after the last set-point by the board's own clock.
-  void expect_ends(const std::string& hazard, const std::string& event, double least_us,
-                   double most_us) {
+  /// occurs `min_us` to `max_us` after the last set-point by the board's own clock.
+  void expect_ends(const std::string& hazard, const std::string& event, double min_us,
+                   double max_us) {
     const auto ended = [&] { return since_driven("zero").is_object(); };
     for (int waited_ms = 0; !ended() && waited_ms < kZeroTimeoutMs; waited_ms += kZeroPollMs)
       pause_ms(kZeroPollMs);
@@ -122,7 +122,7 @@ class FirmwareBoard : public Bench {
     ASSERT_TRUE(begun.is_object()) << home_.read("trace");
     ASSERT_EQ(begun["awake"], false);
     const double age_us = begun["since_set_point_us"];
-    ASSERT_THAT(age_us, AllOf(Ge(least_us), Le(most_us)));
+    ASSERT_THAT(age_us, AllOf(Ge(min_us), Le(max_us)));
     EXPECT_LT(zero["us"].get<double>() - begun["us"].get<double>(), kDecayUs);
     expect_no_current();
     figure("firmware: bridges asleep after " + hazard, age_us / 1e3, "ms of the board");
