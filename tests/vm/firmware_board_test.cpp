@@ -120,7 +120,6 @@ class FirmwareBoard : public Bench {
     const Json begun = since_driven(event);
     const Json zero = since_driven("zero");
     ASSERT_TRUE(begun.is_object()) << home_.read("trace");
-    ASSERT_EQ(begun["awake"], false);
     const double age_us = begun["since_set_point_us"];
     ASSERT_THAT(age_us, AllOf(Ge(min_us), Le(max_us)));
     EXPECT_LT(zero["us"].get<double>() - begun["us"].get<double>(), kDecayUs);

@@ -57,7 +57,8 @@ export class Chip {
     this.revision = revision; // 1: B0 and B1, 2: B2
     this.baseNanos = 0;
     this.resets = 0;
-    this.powered = this.poweredNext = true;
+    this.powered = true;
+    this.supplyChanged = false;
     this.warnings = [];
     this.busyCycles = 0; // since construction
     this.visited = new Uint8Array(0x42000 >> 1); // executed halfwords of SRAM; only the program's first steps run elsewhere
@@ -291,8 +292,8 @@ export class Chip {
       if (!this.resetDue) return this.checked(false);
       this.baseNanos += clock.nanosCounter;
       this.resetUs = this.baseNanos / 1000;
-      if (this.powered === this.poweredNext) ++this.resets;
-      this.powered = this.poweredNext;
+      if (!this.supplyChanged) ++this.resets;
+      this.supplyChanged = false;
       this.boot();
     }
   }
@@ -314,7 +315,8 @@ export class Chip {
 
   /** The supply of the processor goes, or comes again. */
   setPowered(powered) {
-    this.poweredNext = powered;
+    this.powered = powered;
+    this.supplyChanged = true;
     this.resetDue = true;
   }
 
