@@ -293,9 +293,9 @@ end_emulator
 
 step "one of several balls at an MQTT broker: a service of its own, with settings of its own"
 echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.1:1"' >/etc/hedgehog/mqtt.env
-echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.1:2"' >/etc/hedgehog/mqtt-0009.env
+echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.2:1"' >/etc/hedgehog/mqtt-0009.env
 systemctl start hedgehog-mqtt@0009
-eventually logged "no broker at 127.0.0.1:2" hedgehog-mqtt@0009
+eventually logged "no broker at 127.0.0.2" hedgehog-mqtt@0009
 are hedgehog-mqtt@0009 ActiveState=active
 rm /etc/hedgehog/mqtt.env /etc/hedgehog/mqtt-0009.env
 systemctl enable --quiet --now hedgehogd
