@@ -2,6 +2,8 @@
 #include "daemon/config_reload.h"
 
 #include <atomic>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 namespace hedgehog::daemon {
@@ -24,13 +26,15 @@ std::optional<ConfigReload::Loaded> ConfigReload::step(const config::Config& now
   }
   if (requested_ && !pending_ && !loaded) {
     const auto answer = std::make_shared<Answer>();
-    const bool taken = thread_.post(server::DiskUse::kScan, [answer, now, &load = load_] {
-      answer->loaded = load(now);
-      answer->there.store(true, std::memory_order_release);
-    });
-    if (taken) {
+    try {
+      std::thread([answer, now, load = load_] {
+        answer->loaded = load(now);
+        answer->there.store(true, std::memory_order_release);
+      }).detach();
       requested_ = false;
       pending_ = answer;
+    } catch (const std::system_error&) {
+      // No thread is left: the next step tries again.
     }
   }
   return loaded;

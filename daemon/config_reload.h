@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The configuration, read again while the daemon runs, on a thread of its own: its files and the
 // names of users and groups may come from a network that does not answer, and the io thread must
-// go on to receive stops.
+// go on to receive stops. The end of the process does not wait for it.
 #pragma once
 
 #include <boost/system/result.hpp>
@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "daemon/config/load_config.h"
-#include "daemon/server/disk/disk_thread.h"
 
 namespace hedgehog::daemon {
 
@@ -38,7 +37,6 @@ class ConfigReload {
   const Load load_;
   bool requested_ = false;
   std::shared_ptr<Answer> pending_;
-  server::DiskThread thread_{"config"};
 };
 
 }  // namespace hedgehog::daemon

@@ -121,6 +121,7 @@ bool Ball::receive(client::Milliseconds timeout) {
     end_connection(received.error());
     return false;
   }
+  if (*received) notice_.reset();
   while (auto notification = connection_->notification()) {
     if (notifications_.size() >= kMaxUnread) notifications_.pop_front();
     notifications_.push_back(*std::move(notification));

@@ -70,7 +70,8 @@ TEST_F(TunnelDeadline, AClientThatDoesNotReadIsClosed) {
   daemon_.reset();
   home_.configure(R"({"http": {"listen": null}, "connections": {"write_timeout_s": 600}})");
   start("tls://127.0.0.1:0");
-  run({.write = kShort});
+  // Long enough for the connection to be seen.
+  run({.write = std::chrono::seconds(2)});
   RawClient game(port_);
   game.send(many_requests());
   const auto connections = [&] {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <future>
+#include <memory>
 
 namespace hedgehog::daemon {
 namespace {
@@ -48,6 +49,19 @@ TEST(ConfigReload, DoesNotBlockAndLoadsAgainWhatWasRequestedMeanwhile) {
   next(reload, now);
   EXPECT_EQ(loads, 2);
   EXPECT_FALSE(reload.step(now));
+}
+
+TEST(ConfigReload, EndsWithoutALoadThatWaits) {
+  const auto network = std::make_shared<std::promise<void>>();
+  {
+    ConfigReload reload([answers = network->get_future().share()](const config::Config& now) {
+      answers.wait();
+      return now;
+    });
+    reload.request();
+    EXPECT_FALSE(reload.step({}));
+  }
+  network->set_value();
 }
 
 TEST(ConfigReload, ReturnsErrors) {

@@ -98,10 +98,6 @@ eventually found_board
 board=${board%/serial}
 board=/dev/bus/usb/$(printf '%03d/%03d' "$(<"$board/busnum")" "$(<"$board/devnum")")
 install "$older"
-grep -qw hidraw /proc/devices || fail "the service cannot be allowed to use a HID device"
-belongs_to_group() { [ "$(stat --format '%a %G' "$board")" = "660 hedgehog" ]; }
-eventually belongs_to_group
-end_emulator
 eventually is ActiveState active
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled"
 are hedgehogd User=hedgehog
@@ -122,6 +118,10 @@ renewed hedgehogd "$process"
 renewed hedgehogd@0007 "$process_of_0007"
 for unit in hedgehogd hedgehogd@0007; do logged "coils off" "$unit" || fail "$unit did not stop orderly"; done
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled any more"
+grep -qw hidraw /proc/devices || fail "the service cannot be allowed to use a HID device"
+belongs_to_group() { [ "$(stat --format '%a %G' "$board")" = "660 hedgehog" ]; }
+eventually belongs_to_group
+end_emulator
 for unit in hedgehog-gamepad hedgehog-mqtt; do
   [ "$(systemctl is-enabled "$unit")" = disabled ] || fail "$unit is enabled"
   are "$unit" ActiveState=inactive
@@ -294,7 +294,7 @@ end_emulator
 step "one of several balls at an MQTT broker: a service of its own, with settings of its own"
 echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.1:1"' >/etc/hedgehog/mqtt.env
 echo 'HEDGEHOG_MQTT_OPTIONS="--broker 127.0.0.2:1"' >/etc/hedgehog/mqtt-0009.env
-systemctl start hedgehog-mqtt@0009
+systemctl enable --quiet --now hedgehog-mqtt@0009
 eventually logged "no broker at 127.0.0.2" hedgehog-mqtt@0009
 are hedgehog-mqtt@0009 ActiveState=active
 rm /etc/hedgehog/mqtt.env /etc/hedgehog/mqtt-0009.env

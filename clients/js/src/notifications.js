@@ -30,6 +30,8 @@ export class NotificationIterator {
   }
 
   add(method, params) {
+    // What comes on a later connection is behind the failure.
+    if (this.#failure || this.#ended) return;
     const item = this.#pick(method, params);
     if (item === undefined) return;
     if (this.#items.length >= MAX_WAITING) this.#items.shift();

@@ -334,13 +334,16 @@ def _open_tcp(address: Tuple[str, int], timeout_s: float) -> socket.socket:
     failure = OSError("its name has no address")
     found = socket.getaddrinfo(*address, type=socket.SOCK_STREAM)
     for number, (family, kind, protocol, _, place) in enumerate(found):
-        opened = socket.socket(family, kind, protocol)
+        opened = None
         try:
+            # Fails for a family that the kernel does not have.
+            opened = socket.socket(family, kind, protocol)
             opened.settimeout(share_of(deadline, len(found) - number))
             opened.connect(place)
             opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             return opened
         except OSError as error:
-            opened.close()
+            if opened is not None:
+                opened.close()
             failure = error
     raise failure
