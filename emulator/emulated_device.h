@@ -42,8 +42,8 @@ inline constexpr std::uint16_t kUsEnglish = 0x0409;
 /// Bit of an endpoint's address: to the host.
 inline constexpr std::uint8_t kIn = 0x80;
 
-/// The emulator's thread. Runs also while unplugged: a board has its own supply. A device in
-/// another process throws std::runtime_error when that does not respond.
+/// The emulator's thread. Runs also while unplugged: a board may have a supply of its own. A device
+/// in another process throws std::runtime_error when that does not respond.
 class EmulatedDevice {
  public:
   EmulatedDevice() = default;

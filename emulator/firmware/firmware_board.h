@@ -25,8 +25,8 @@ class FirmwareBoard final : public EmulatedDevice {
   std::string product_name() const override { return product_name_; }
   std::string serial() const override { return serial_; }
 
-  /// The board's time begins when it is plugged in for the first time; afterwards it runs without a
-  /// host too.
+  /// The board's time begins when it is plugged in for the first time; afterwards the
+  /// simulated ball runs on without a host.
   void step() override;
   /// {"board_us", "awake", "closed", "set_point_age_us", "current_a", "peak_a", "frames_in",
   ///  "frames_out", "bus_errors", "exchange_us", "max_exchange_us"}: the true currents; peak_a is
