@@ -238,6 +238,25 @@ TEST(Effects, ABatchIsAppliedInOneTick) {
   for (const Json& event : events) EXPECT_EQ(event["time_ns"], events[0]["time_ns"]);
 }
 
+// The forecasts in them are computed after the rest of the batch.
+TEST(Effects, ABatchIsAnsweredInTheOrderOfItsRequests) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  const auto request = [](int id, const char* method, const Json& params) {
+    return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}};
+  };
+  const Json strong = pulse({{"current_a", 12}, {"slot", "engine"}});
+  const Json batch{request(1, "effect.pulse", strong), request(2, "ping", Json::object()),
+                   request(3, "effect.pulse", strong), request(4, "nonsense", Json::object()),
+                   request(5, "effect.update", {{"slot", "engine"}, {"current_a", 1}})};
+  const Json responses = rig.exchange(game, batch.dump());
+  ASSERT_EQ(responses.size(), batch.size());
+  for (std::size_t i = 0; i < batch.size(); ++i) EXPECT_EQ(responses[i]["id"], batch[i]["id"]);
+  EXPECT_TRUE(responses[0]["result"]["headroom_s"].is_number());
+  EXPECT_EQ(responses[2]["result"]["headroom_s"], responses[0]["result"]["headroom_s"]);
+  EXPECT_EQ(responses[4]["result"]["headroom_s"], nullptr);
+}
+
 TEST(Effects, AnEndedOneIsNotMixedWithTheNext) {
   ServerRig rig;
   FakeClient& game = rig.connect();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace hedgehog::server {
 namespace {
@@ -55,12 +56,13 @@ Felt felt_now(const DeviceView& device_view, EffectRegistry& effects, const Effe
   return felt;
 }
 
-protocol::Admission admission(const DeviceView& device_view, EffectRegistry& effects,
-                              const model::EffectSpec& spec, const KeyframeTrack* track,
-                              const Effect* replaced) {
+Delivery expected_delivery(const DeviceView& device_view, EffectRegistry& effects,
+                           const model::EffectSpec& spec, const KeyframeTrack* track,
+                           const Effect* replaced) {
   const control::StatusSnapshot& now = device_view.now();
   const config::Config& config = device_view.config();
-  protocol::Admission out;
+  Delivery delivery;
+  protocol::Admission& out = delivery.admission;
   const model::Vec3 direction = onset_direction(spec, track, config.device.coils, now.orientation);
   const model::NearestPin nearest = model::nearest_pin(device_view.array(), direction);
   out.pin = nearest.id;
@@ -73,7 +75,7 @@ protocol::Admission admission(const DeviceView& device_view, EffectRegistry& eff
   const Felt others = felt_now(device_view, effects, replaced);
   if (others.priority > spec.priority) {
     out.limited_by = "priority";
-    return out;
+    return delivery;
   }
   const Load own = load_of(spec, track, config.device.coils, now.orientation);
   const Load requested = others.priority == spec.priority ? others.load + own : own;
@@ -85,26 +87,31 @@ protocol::Admission admission(const DeviceView& device_view, EffectRegistry& eff
     factor *= config.limits.current_a / flowing_a;
     flowing_a = config.limits.current_a;
   }
-  out.headroom_s = device_view.forecaster().seconds_to_derating(
-      device_view.forecast_start(), scaled(requested, factor).requested());
-  if (flowing_a > now.limit_a + kRoundingA) {
+  delivery.forecast_of = scaled(requested, factor).requested();
+  const auto limit_by_heat = [&](double share) {
     out.limited_by = "thermal";
-    factor *= std::max(0.0, now.limit_a) / flowing_a;
     out.headroom_s = 0.0;
-  }
+    delivery.forecast_of.reset();
+    factor *= share;
+  };
+  if (flowing_a > now.limit_a + kRoundingA) limit_by_heat(std::max(0.0, now.limit_a) / flowing_a);
   const double unmeasured = unmeasured_share(
       device_view, factor * peak_a(spec, track) *
                        winding_direction(spec, track, direction, config.device.coils));
-  if (unmeasured < 1.0) {
-    out.limited_by = "thermal";
-    out.headroom_s = 0.0;
-    factor *= unmeasured;
-  }
+  if (unmeasured < 1.0) limit_by_heat(unmeasured);
   out.current_a = peak_a(spec, track) * factor;
   out.force_n = device_view.pin_curves().force_at_rest_n(
       static_cast<std::size_t>(nearest.id),
       out.current_a * config.device.force_slope_n_a * nearest.cosine);
-  return out;
+  return delivery;
+}
+
+protocol::Admission with_headroom(const DeviceView& device_view, Delivery delivery) {
+  if (delivery.forecast_of) {
+    delivery.admission.headroom_s = device_view.forecaster().seconds_to_derating(
+        device_view.forecast_start(), *delivery.forecast_of);
+  }
+  return std::move(delivery.admission);
 }
 
 std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,

@@ -82,8 +82,18 @@ void Dispatcher::line(Session& session, std::string_view text) {
   reply->batch = incoming.batch;
   for (protocol::Item& one : incoming.items) item(session, one, reply);
   context_.device_view.outbox().commit();
+  complete(*reply);
   session.open_bytes += reply->open_bytes();
   send_if_complete(*reply);
+}
+
+void Dispatcher::complete(Reply& reply) {
+  for (const Completion& one : completions_) {
+    const Response response = one.work.complete();
+    count(context_.counters, one.method, response);
+    reply.fill(one.index, encoded(one.id, response));
+  }
+  completions_.clear();
 }
 
 void Dispatcher::line_too_long(Session& session) {
@@ -137,6 +147,10 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   }
   if (response != nullptr) {
     reply->add(encoded(*item.id, *response));
+    return;
+  }
+  if (AfterCommit* later = std::get_if<AfterCommit>(&outcome)) {
+    completions_.push_back({reply->reserve(), *item.id, method, std::move(*later)});
     return;
   }
   waiting_.push_back({reply, reply->reserve(), *item.id, method,

@@ -71,10 +71,20 @@ class Dispatcher {
     PolledTime waited;
   };
 
+  /// A response of the present line that is completed after its commit.
+  struct Completion {
+    std::size_t index = 0;
+    protocol::Id id;
+    std::string_view method;
+    AfterCommit work;
+  };
+
   void item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply);
+  void complete(Reply& reply);
   void send_if_complete(const Reply& reply);
 
   HandlerContext& context_;
+  std::vector<Completion> completions_;
   std::vector<Waiting> waiting_;
 };
 

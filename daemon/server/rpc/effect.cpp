@@ -36,21 +36,20 @@ std::optional<RpcError> no_capacity(const Call& call, bool replacing) {
 }
 
 /// Checks all reasons against playing `plan`, which replaces or updates `before` (nullptr:
-/// neither). The admission is only computed if it is needed.
-protocol::Result<protocol::Admission> admit(const Call& call, const EffectPlan& plan,
-                                            const Effect* before) {
+/// neither). What only the response needs is not computed for a notification.
+protocol::Result<Delivery> admit(const Call& call, const EffectPlan& plan, const Effect* before) {
   const DeviceView& device_view = call.device_view();
   const auto& [params, requested_wave, spec, track] = plan;
   if (auto refused = no_orientation(device_view, spec)) return std::move(*refused);
   const bool may_refuse = params.if_limited == protocol::IfLimited::kRefuse;
-  if (!call.expects_response && !may_refuse) return protocol::Admission{};
-  const protocol::Admission admitted =
-      admission(device_view, call.context.effects, spec, track.get(), before);
-  if (may_refuse) {
-    if (auto refused = thermal_refusal(device_view, spec, track.get(), params, admitted))
-      return std::move(*refused);
-  }
-  return admitted;
+  if (!call.expects_response && !may_refuse) return Delivery{};
+  Delivery delivery =
+      expected_delivery(device_view, call.context.effects, spec, track.get(), before);
+  if (!may_refuse) return delivery;
+  const protocol::Admission admitted = with_headroom(device_view, std::move(delivery));
+  if (auto refused = thermal_refusal(device_view, spec, track.get(), params, admitted))
+    return std::move(*refused);
+  return Delivery{admitted, std::nullopt};
 }
 
 /// Queues the key frames of `plan`. Afterwards there is capacity for one more command, so that the
@@ -99,11 +98,14 @@ void set_plan(Effect& effect, EffectPlan&& plan) {
   effect.track = std::move(plan.track);
 }
 
-Response response_of(protocol::Admission admission, const Effect& effect, std::uint64_t seq) {
-  admission.effect = effect.id;
-  admission.slot = effect.slot;
-  admission.seq = seq;
-  return Response(std::move(admission));
+Outcome response_of(const Call& call, Delivery delivery, const Effect& effect, std::uint64_t seq) {
+  delivery.admission.effect = effect.id;
+  delivery.admission.slot = effect.slot;
+  delivery.admission.seq = seq;
+  if (!delivery.forecast_of) return Response(std::move(delivery.admission));
+  return AfterCommit{[&device_view = call.device_view(), delivery = std::move(delivery)] {
+    return Response(with_headroom(device_view, delivery));
+  }};
 }
 
 Effect* addressed(const Call& call, const std::optional<protocol::EffectNumber>& number,
@@ -131,12 +133,12 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   const bool waits = before != nullptr && context.device_view.outbox().holds(before->seq);
   auto full = no_capacity(call, before != nullptr);
   if (full && !waits) return Response(std::move(*full));
-  auto admitted = admit(call, *plan, before);
-  if (admitted.has_error()) return Response(admitted.error());
+  auto delivery = admit(call, *plan, before);
+  if (delivery.has_error()) return Response(delivery.error());
   if (waits && coalesce(call, *before, *plan)) {
     before->method = request.method;
     set_plan(*before, *std::move(plan));
-    return response_of(*std::move(admitted), *before, before->seq);
+    return response_of(call, *std::move(delivery), *before, before->seq);
   }
   if (full) return Response(std::move(*full));
   // One start per tick is enough for a slot; later ones with the same key frames amend it.
@@ -162,7 +164,7 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   effect.method = request.method;
   set_plan(effect, *std::move(plan));
   effect.seq = *seq;
-  return response_of(*std::move(admitted), effect, *seq);
+  return response_of(call, *std::move(delivery), effect, *seq);
 }
 
 Outcome handle(Call& call, const protocol::EffectUpdate& request) {
@@ -176,8 +178,8 @@ Outcome handle(Call& call, const protocol::EffectUpdate& request) {
   }
   auto plan = plan_update(call.plan_context(), *effect, request.params);
   if (plan.has_error()) return Response(plan.error());
-  auto admitted = admit(call, *plan, effect);
-  if (admitted.has_error()) return Response(admitted.error());
+  auto delivery = admit(call, *plan, effect);
+  if (delivery.has_error()) return Response(delivery.error());
   const bool other_frames = plan->track != effect->track;
   if (other_frames) {
     if (auto refused = place_keyframes(call, *plan)) return Response(std::move(*refused));
@@ -188,7 +190,7 @@ Outcome handle(Call& call, const protocol::EffectUpdate& request) {
   if (other_frames)
     call.context.keyframes.release_after(effect->spec.trajectory.playback.first, *seq);
   set_plan(*effect, *std::move(plan));
-  return response_of(*std::move(admitted), *effect, *seq);
+  return response_of(call, *std::move(delivery), *effect, *seq);
 }
 
 Outcome handle(Call& call, const protocol::EffectStop& request) {

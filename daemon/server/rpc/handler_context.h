@@ -95,6 +95,12 @@ struct Encoded {
   std::shared_ptr<const std::string> result;
 };
 
-using Outcome = std::variant<Response, Deferred, Encoded>;
+/// A response whose computation must not delay the effect: it is completed once the commands of the
+/// line have been passed on, within the same call and as of the same snapshot.
+struct AfterCommit {
+  std::function<Response()> complete;
+};
+
+using Outcome = std::variant<Response, Deferred, Encoded, AfterCommit>;
 
 }  // namespace hedgehog::server

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -20,6 +21,22 @@ namespace {
 
 constexpr double kTickUs = 1000.0;
 
+/// Sends a pulse, reads its response, and returns the device time at which it began, ns.
+std::int64_t play_pulse(Client& client) {
+  client.send(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
+              R"("params":{"direction":"left","duration_ms":5,"current_a":5}})"
+              "\n");
+  bool answered = false;
+  for (std::optional<std::int64_t> begun_ns;;) {
+    const auto message = nlohmann::json::parse(client.line());
+    if (message.contains("method"))
+      begun_ns = message["params"]["time_ns"].get<std::int64_t>();
+    else
+      answered = true;
+    if (answered && begun_ns) return *begun_ns;
+  }
+}
+
 /// Device time, in ms (ticks), from sending a pulse to the tick that begins it.
 std::vector<double> pulse_delays(int port, double seconds) {
   Client client(port);
@@ -34,11 +51,7 @@ std::vector<double> pulse_delays(int port, double seconds) {
     // Sends at a random phase of the tick.
     std::this_thread::sleep_for(std::chrono::microseconds(pause_us(random)));
     const std::int64_t sent_ns = device::monotonic_ns();
-    client.send(R"({"jsonrpc":"2.0","method":"effect.pulse",)"
-                R"("params":{"direction":"left","duration_ms":5,"current_a":1}})"
-                "\n");
-    const auto event = nlohmann::json::parse(client.line())["params"];
-    delays.push_back(1e-6 * static_cast<double>(event["time_ns"].get<std::int64_t>() - sent_ns));
+    delays.push_back(1e-6 * static_cast<double>(play_pulse(client) - sent_ns));
   }
   return delays;
 }
