@@ -54,9 +54,16 @@ namespace {
 
 using Handler = void (*)();
 
-/// What the second stage needs of a vector table.
+/// Until the image is in SRAM: the pins are as in reset, and there is no watchdog yet.
+[[noreturn, gnu::section(".start.code")]] void early_fault_handler() {
+  for (;;) {
+  }
+}
+
+/// What the second stage needs of a vector table, with NMI and HardFault (ARMv6-M Architecture
+/// Reference Manual B1.5.3).
 [[gnu::section(".start.vectors"), gnu::used]] const Handler kFlashVectors[] = {
-    reinterpret_cast<Handler>(stack_top), reset_handler};
+    reinterpret_cast<Handler>(stack_top), reset_handler, early_fault_handler, early_fault_handler};
 
 /// ARMv6-M Architecture Reference Manual B1.5.3: 16 exceptions and the 26 interrupts of 2.3.2.
 struct Vectors {

@@ -91,9 +91,12 @@ void UsbDevice::restart() noexcept {
 
 void UsbDevice::poll() noexcept {
   follow_vbus();
+  // A frame that begins after this is seen by the next poll at the latest.
+  const uint32_t polled_us = now_us();
   const uint32_t events = reg(kEvents);
   check_progress(events);
   handle_frame_start(events);
+  polled_us_ = polled_us;
   if ((events & kResetEvent) != 0) {
     clear_bits(kSieStatus, kStatusReset);
     reset_bus_state();
@@ -114,7 +117,6 @@ void UsbDevice::handle_frame_start(uint32_t events) noexcept {
     [[maybe_unused]] const uint32_t acknowledged = reg(kFrameNumber);
     frame_start_us_ = polled_us_;
   }
-  polled_us_ = now_us();
 }
 
 void UsbDevice::reset_bus_state() noexcept {

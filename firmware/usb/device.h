@@ -21,7 +21,8 @@ class UsbDevice {
   /// device while its cable is in.
   void poll() noexcept;
 
-  /// The next packet; 0: none. `capacity` above 64 shows a packet that is longer than a frame.
+  /// The next packet, of which as much as fits is copied; 65 for one of more than 64 bytes; 0:
+  /// none.
   size_t receive(uint8_t* packet, size_t capacity) noexcept;
   /// When the last packet was noticed.
   uint32_t arrived_us() const noexcept { return arrived_us_; }

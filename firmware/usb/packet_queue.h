@@ -16,18 +16,20 @@ class PacketQueue {
   bool has_capacity() const noexcept { return written_ - read_ < kCapacity; }
   void clear() noexcept { read_ = written_; }
 
-  /// REQUIRES: has_capacity(), length <= kPacketBytes.
+  /// REQUIRES: has_capacity(). Of a longer packet, which no host sends, the first kPacketBytes.
   void put(const volatile uint8_t* bytes, size_t length) noexcept {
     Packet& packet = packets_[written_++ % kCapacity];
-    packet.length = static_cast<uint8_t>(length);
-    for (size_t i = 0; i < length; ++i) packet.bytes[i] = bytes[i];
+    packet.length = static_cast<uint8_t>(length <= kPacketBytes ? length : kPacketBytes + 1);
+    for (size_t i = 0; i < length && i < kPacketBytes; ++i) packet.bytes[i] = bytes[i];
   }
 
-  /// The length of the oldest packet, of which as much as fits is copied; 0: none.
+  /// The length of the oldest packet, kPacketBytes + 1 for each that was longer, of which as much
+  /// as fits is copied; 0: none.
   size_t take(uint8_t* bytes, size_t capacity) noexcept {
     if (read_ == written_) return 0;
     const Packet& packet = packets_[read_++ % kCapacity];
-    for (size_t i = 0; i < packet.length && i < capacity; ++i) bytes[i] = packet.bytes[i];
+    for (size_t i = 0; i < packet.length && i < kPacketBytes && i < capacity; ++i)
+      bytes[i] = packet.bytes[i];
     return packet.length;
   }
 

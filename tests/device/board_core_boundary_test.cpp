@@ -117,6 +117,43 @@ TEST(BoardCoreBoundary, ASleepingBallMayDrawHundredAndFiftyMilliamperes) {
   EXPECT_FALSE(bench.telemetry().supply_switch_closed);
 }
 
+// The capacitors behind the switch charge through the supply line (firmware/board/bring-up.md, 5).
+TEST(BoardCoreBoundary, TheSupplyLineCountsTwoHundredMillisecondsAfterTheSwitchHasClosed) {
+  BoardLimits limits;
+  limits.supply_settled_ms = 20;
+  CoreBench bench(limits);
+  bench.inputs.supply_current_measured = true;
+  const auto close_switch = [&bench] {
+    bench.inputs.supply_mv = 12'000;
+    while (!bench.outputs.supply_switch_closed) bench.run(1);
+  };
+  bench.run(1);
+  close_switch();
+  bench.inputs.supply_ma = 500;
+  bench.run(kChargingMs);
+  bench.inputs.supply_ma = 0;
+  bench.run(1);
+  EXPECT_EQ(bench.core.faults() & kStuckBridge, 0);
+  bench.inputs.supply_mv = 31'000;
+  bench.run(kSupplyMs);
+  ASSERT_FALSE(bench.outputs.supply_switch_closed);
+  close_switch();
+  bench.inputs.supply_ma = 500;
+  bench.run(kChargingMs + kStuckMs - 2);
+  EXPECT_EQ(bench.core.faults() & kStuckBridge, 0);
+  bench.run(1);
+  EXPECT_NE(bench.core.faults() & kStuckBridge, 0);
+  EXPECT_FALSE(bench.outputs.supply_switch_closed);
+}
+
+TEST(BoardCoreBoundary, TheWindingsOwnAmplifiersCountWhileTheCapacitorsCharge) {
+  CoreBench bench;
+  bench.inputs.current_ma[1] = 501;
+  bench.run(1 + kStuckMs);
+  EXPECT_NE(bench.core.faults() & kStuckBridge, 0);
+  EXPECT_FALSE(bench.outputs.supply_switch_closed);
+}
+
 TEST(BoardCoreBoundary, AnUnmeasuredCurrentIsThreeQuartersOfTheLast) {
   BoardLimits limits = no_other_limits();
   limits.current_ma = 12'000;

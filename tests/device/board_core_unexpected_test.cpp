@@ -106,6 +106,7 @@ TEST(UnexpectedCurrent, OfASleepingBridgeOpensTheSupplySwitchByTheSupplyLineToo)
   Driving bench;
   bench.set_point.enable = false;
   bench.inputs.currents_measured = 0;
+  bench.run(kChargingMs);
   bench.inputs.supply_ma = 270;  // 10 % of 2.7 A
   bench.run(30);
   EXPECT_TRUE(bench.latched_by(kStuckBridge));

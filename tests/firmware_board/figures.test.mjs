@@ -120,12 +120,30 @@ test("zero must be calibrated: out of the box it may be off by more than the sim
   assert.ok(found.combined > frontEnd(/kInLineOffsetA = ([\d.]+);/));
 });
 
-test("the supply's amplifier at no current is below the threshold of a stuck bridge", () => {
+test("what sleeping bridges draw, as the supply's amplifier shows it, is below the threshold of a stuck bridge", () => {
   const budget = errorBudget(reference, kTypes);
   const floor = budget.find(({ name }) => name === "supply_a floor").worst;
   const zero = budget.find(({ name }) => name === "supply_a zero").worst;
   const stuckA = constant("daemon/device/board_core/limits.h", /kStuckSupplyMa = (\d+);/) / 1e3;
-  assert.ok(Math.max(floor, zero) + 3 * budget.find(({ name }) => name === "supply_a noise").combined < stuckA);
+  const drivers = [...reference.parts.values()].filter(({ type }) => type === "G2_18V17").length;
+  assert.equal(drivers, 3);
+  const idleA = drivers * kTypes.get("G2_18V17").pins.get("VIN").draws_ma / 1e3 + reference.nets.get("VM").max / reference.parts.get("R32").value;
+  assert.ok(Math.max(floor, idleA + zero) + 3 * budget.find(({ name }) => name === "supply_a noise").combined < stuckA);
+});
+
+test("the capacitors behind the supply switch charge before their current counts as a stuck bridge, at each limit of the guide", () => {
+  const behind = [...reference.parts.values()].filter(({ type, pins }) => type === "C" && [...pins.values()].includes("VM"));
+  assert.equal(behind.length, 3);
+  const farad = behind.reduce((sum, { value, tol }) => sum + value * (1 + tol), 0);
+  const fanA = kTypes.get("FAN").pins.get("12V").draws_ma / 1e3;
+  const { max: volts } = reference.nets.get("12V");
+  const limits = [...sourceText("firmware/board/bring-up.md").matchAll(/12 V with limit (\d+(?:\.\d+)?) A/g)].map(([, amps]) => Number(amps));
+  assert.ok(limits.length >= 2, "steps 5 and 7");
+  const chargingMs = constant("daemon/device/board_core/limits.h", /kChargingMs = (\d+);/);
+  for (const amps of limits) {
+    const ms = 1e3 * farad * volts / (amps - fanA);
+    assert.ok(ms > 0 && ms < chargingMs, `${ms.toFixed(0)} ms at ${amps} A`);
+  }
 });
 
 test("a winding's energy is in the capacitors, in its resistance, in the diodes or in the clamp, and nowhere else", () => {

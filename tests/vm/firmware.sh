@@ -13,7 +13,7 @@ top=$(realpath "$here/../..")
 work=$(mktemp -d)
 socket=$work/board
 # The script replaces itself by node: this is the process that `end` ends.
-"$top/tests/firmware/emulated/run.sh" "${HEDGEHOG_FIRMWARE_ELF:-$top/build/firmware/hedgehog-board.elf}" \
+"$top/tests/firmware/emulated/run.sh" "${HEDGEHOG_FIRMWARE_ELF:-$top/build/firmware/usb/hedgehog-board.elf}" \
   "${HEDGEHOG_FIRMWARE_PLANT:-$top/build/dev/tests/firmware/firmware_plant}" \
   "${HEDGEHOG_FIRMWARE_PACKAGES:-$top/build/npm/firmware}" "$top/build" usbip "$socket" &
 board=$!

@@ -139,7 +139,9 @@ void BoardCore::check_current() noexcept {
 
   if (budget_spent) live_ |= kHeatBudget;
   if (over_current_.step(norm_squared > square(limits_.current_ma))) live_ |= kOverCurrent;
-  const bool drawn = inputs_.supply_current_measured && inputs_.supply_ma > kStuckSupplyMa;
+  const bool charged = charged_.step(before_.supply_switch_closed);
+  const bool drawn =
+      charged && inputs_.supply_current_measured && inputs_.supply_ma > kStuckSupplyMa;
   const bool flows = drawn || norm_squared > kStuckMa * kStuckMa;
   if (stuck_.step(!before_.awake && flows)) live_ |= kStuckBridge;
   if (unexpected_current()) live_ |= kUnexpectedCurrent;

@@ -164,6 +164,7 @@ class BoardCore {
   bool supply_usable_ = true;
   Persistence bridge_{kBridgeFaultMs};
   Persistence stuck_{kStuckMs};
+  Persistence charged_{kChargingMs};
   Persistence unexpected_{kUnexpectedMs};
   Persistence excess_supply_{kExcessSupplyMs};
   /// Winding currents, mA: measured, or decaying in the brake since the last measurement.

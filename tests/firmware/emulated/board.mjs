@@ -38,6 +38,7 @@ export class Board {
     this.ticks = []; // start of each millisecond of the firmware, us
     this.busiestCycles = 0; // of the firmware's milliseconds, from one conversion to the next
     this.shownCurrent = undefined; // converter code of winding x's amplifier in place of its current
+    this.shownShunt = undefined; // the same of the supply's shunt
     this.converterResponds = true; // false: its line is low, as by the pull-down of the microcontroller
     this.slowestPwmUs = 0; // from the start of a millisecond to its compare values
     this.onTick = () => {}; // called with the readings that the firmware is about to convert
@@ -165,7 +166,7 @@ export class Board {
     if (bytes.length === 1) return 0xff;
     if ((bytes[0] & 0xfe) !== 0x06) this.chip.warnings.push('no single ended conversion');
     const { current, shunt, supply, ntc } = this.readings;
-    const value = [this.shownCurrent ?? current[0], current[1], current[2], shunt, supply, ...ntc][((bytes[0] & 1) << 2) | (bytes[1] >> 6)];
+    const value = [this.shownCurrent ?? current[0], current[1], current[2], this.shownShunt ?? shunt, supply, ...ntc][((bytes[0] & 1) << 2) | (bytes[1] >> 6)];
     return bytes.length === 2 ? 0xe0 | (value >> 8) : value & 0xff;
   }
 
