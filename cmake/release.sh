@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # release.sh VERSION [OUT]: makes the release VERSION ("1.2.0") of the clean branch that is checked out.
-#   CHANGELOG.md's [Unreleased], which must not be empty, becomes [VERSION] of today; CMakeLists.txt, CITATION.cff and
-#   debian/changelog get the version; that is committed and tagged vVERSION (annotated). In OUT (build/release-VERSION):
+#   CHANGELOG.md's [Unreleased], which must not be empty, becomes [VERSION] of today; CMakeLists.txt, CITATION.cff,
+#   debian/changelog and the client libraries get the version; that is committed and tagged vVERSION (annotated). In OUT
+#   (build/release-VERSION):
 #   hedgehog-VERSION.tar.gz (git archive), hedgehog-VERSION.spdx.json (sbom.py), SHA256SUMS.
 # Pushes nothing: git push --follow-tags does. To undo: git tag -d vVERSION; git reset --hard HEAD~1.
 # Exit: 0 done, 64 usage, 65 the tree is not ready to be released (nothing has been changed then), 69 see sbom.py.
@@ -37,6 +38,12 @@ day=$(date -u +%F)
 sed -i "s/^## \[Unreleased\]$/## [Unreleased]\n\n## [$version] - $day/" CHANGELOG.md
 sed -i -E "s/^(project\(hedgehog VERSION )[0-9.]+/\1$version/" CMakeLists.txt
 sed -i -E "s/^version: .*/version: $version/" CITATION.cff
+# Wheel, npm's file and plugins are named after it: others of the same name would have other contents.
+sed -i -E "s/^((__)?version(__)? ?= ?)\"[0-9.]+\"/\1\"$version\"/" \
+  clients/python/pyproject.toml clients/python/hedgehog/__init__.py clients/godot/addons/hedgehog/plugin.cfg
+sed -i -E "s/^(  \"(version|VersionName)\": )\"[0-9.]+\"/\1\"$version\"/" \
+  clients/js/package.json clients/unity/package.json clients/unreal/HedgehogHaptics.uplugin
+sed -i -E "s/hedgehog-client-[0-9.]+\.tgz/hedgehog-client-$version.tgz/" clients/js/README.md
 if [ "$(dpkg-parsechangelog --show-field Version)" != "$version" ]; then
   {
     printf 'hedgehog (%s) unstable; urgency=medium\n\n  * Release %s; its changes are in CHANGELOG.md.\n\n' "$version" "$version"

@@ -96,7 +96,11 @@ fi
 for program in hedgehog-gamepad hedgehog-mqtt hedgehog-orientation hedgehog-study hedgehog-design hedgehog-simboard hedgehog-racer; do quietly "$program" --version; done
 
 step "documents and examples"
-bash links.sh /usr/share/doc/hedgehogd
+for package in hedgehogd python3-hedgehog; do bash links.sh "/usr/share/doc/$package"; done
+# shellcheck disable=SC2016  # the quotes are those of Markdown
+sed -n '/^```python$/,/^```$/{//!p}' /usr/share/doc/python3-hedgehog/README.md >"$work/game.py"
+[ -s "$work/game.py" ] || fail "the document of python3-hedgehog has no program"
+show python3 "$work/game.py"
 lap() { "$@" | tee "$work/lap" && [ "$(grep -c ' s  ' "$work/lap")" = 5 ]; }
 quietly lap python3 /usr/share/doc/python3-hedgehog/examples/racer.py
 example=/usr/share/doc/libhedgehog-dev/examples/racer.cpp

@@ -24,6 +24,27 @@ refused() {
   [ "$(git rev-parse HEAD)" = "$begin" ] || fail "it has committed: $sentence"
 }
 
+# has_version VERSION: in all files of the tree that name it.
+has_version() {
+  local file line
+  while IFS='|' read -r file line; do
+    grep -qF -- "$line" "$file" || fail "$file has no '$line'"
+  done <<LINES
+CITATION.cff|version: $1
+CMakeLists.txt|project(hedgehog VERSION $1 LANGUAGES
+clients/godot/addons/hedgehog/plugin.cfg|version="$1"
+clients/js/README.md|/hedgehog-client-$1.tgz
+clients/js/package.json|  "version": "$1"
+clients/python/hedgehog/__init__.py|__version__ = "$1"
+clients/python/pyproject.toml|version = "$1"
+clients/unity/package.json|  "version": "$1"
+clients/unreal/HedgehogHaptics.uplugin|  "VersionName": "$1"
+LINES
+}
+
+step "one version"
+has_version "$(sed -nE 's/^project\(hedgehog VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)"
+
 step "refused"
 code=0
 cmake/release.sh 1.2 2>"$work/refusal" || code=$?
@@ -49,8 +70,7 @@ cmake/release.sh 99.0.0 "$work/out" >/dev/null
 [ "$(git describe --exact-match)" = v99.0.0 ] || fail "the tag is not there, or not annotated"
 [ -z "$(git status --porcelain)" ] || fail "changes are left"
 [ "$(dpkg-parsechangelog --show-field Version)" = 99.0.0 ] || fail "debian/changelog"
-grep -q '^version: 99.0.0$' CITATION.cff || fail "CITATION.cff"
-grep -q '^project(hedgehog VERSION 99.0.0 ' CMakeLists.txt || fail "CMakeLists.txt"
+has_version 99.0.0
 [ "$(grep -A 2 '^## \[Unreleased\]$' CHANGELOG.md | sed -n 3p | cut -c -11)" = '## [99.0.0]' ] || fail "CHANGELOG.md"
 (cd "$work/out" && sha256sum --check --quiet SHA256SUMS)
 mkdir "$work/unpacked"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # service.sh PACKAGES EMULATOR [BEFORE]: hedgehogd and hedgehog-tools of the folder PACKAGES (make deb) under systemd, in a guest of
-# run.sh -s: upgraded from an older version (of the folder BEFORE, or relabelled: tests/deb/older.sh), killed, hung, reloaded,
-# stopped; permissions, journal; several balls, also started by udev when their boards are plugged in (EMULATOR: hedgehog-usbip);
-# purged. Exit: 0 passed.
+# run.sh -s: upgraded from an older version (of the folder BEFORE, or relabelled: tests/deb/older.sh) while all services run, killed,
+# hung, reloaded, stopped; permissions, journal; several balls, also started by udev when their boards are plugged in (EMULATOR:
+# hedgehog-usbip); purged while all services run. Exit: 0 passed. The functions of its steps: service_functions.sh.
 set -euo pipefail
 
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
@@ -19,73 +19,11 @@ fi
 packages=$2 usbip=$3 older=$4
 export LC_ALL=C.UTF-8 HEDGEHOG_PATIENCE_MS=60000 DEBIAN_FRONTEND=noninteractive SYSTEMD_PAGER=cat
 unset HEDGEHOG_ADDRESS RUNTIME_DIRECTORY XDG_RUNTIME_DIR
-fail() {
-  echo "tests/vm: $*"
-  systemctl status --no-pager --full 'hedgehogd*' || true
-  journalctl --no-pager -n 60 -u 'hedgehogd*' || true
-  exit 1
-}
-step() {
-  echo "tests/vm: $*"
-  begun=@$(date +%s.%6N)
-}
-property() { systemctl show --property "$1" --value "${2-hedgehogd}"; }
-# eventually COMMAND...: the guest's clock jumps while it waits for files of the host, so the timeout is long.
-eventually() {
-  local until=$((SECONDS + 300))
-  while [ "$SECONDS" -lt "$until" ]; do
-    ! "$@" >/dev/null 2>&1 || return 0
-    sleep 0.5
-  done
-  fail "not in time: $*"
-}
-# are UNIT PROPERTY=VALUE...
-are() {
-  local unit=$1 one
-  shift
-  for one; do
-    [ "$(property "${one%%=*}" "$unit")" = "${one#*=}" ] || fail "$unit: not $one but $(property "${one%%=*}" "$unit")"
-  done
-}
-is() { [ "$(property "$1" "${3-hedgehogd}")" = "$2" ]; } # PROPERTY VALUE [UNIT]
-# logged TEXT [UNIT]: in this step.
-logged() { journalctl --no-pager --output cat --since "$begun" -u "${2-hedgehogd}" | grep -q "$1"; }
-ctl() { hedgehogctl --address "/run/hedgehog/$1/hedgehogd.sock" "${@:2}"; } # SERIAL VERB...
-has() { ctl "$1" status --json | grep -q "\"$2\":$3[,}]"; }               # SERIAL KEY VALUE, of the status
-# True when systemd has restarted it N times, and its process is not PID.
-restarted() { is NRestarts "$1" && is ActiveState active && [ "$(property MainPID)" != "$2" ]; }
+# shellcheck source=tests/vm/service_functions.sh
+source "$here/service_functions.sh"
 
 # The host's file; services may start in the guest.
 rm -f /usr/sbin/policy-rc.d
-
-# Triggers belong to other packages (man-db reads every page), and are slow on an emulated processor. Changed settings are kept.
-install() {
-  dpkg --no-triggers --force-unsafe-io --force-confold --install "$1"/hedgehogd_*.deb "$1"/hedgehog-tools_*.deb >/tmp/out 2>&1 ||
-    { cat /tmp/out; fail "dpkg"; }
-}
-# renewed UNIT PID: active, with another process than PID, which runs the installed file.
-renewed() {
-  local process
-  process=$(property MainPID "$1")
-  are "$1" ActiveState=active NRestarts=0
-  [ "$process" != "$2" ] || fail "$1: its process is still that of the older version"
-  [ "$(readlink "/proc/$process/exe")" = /usr/bin/hedgehogd ] || fail "$1 runs $(readlink "/proc/$process/exe")"
-}
-
-# emulator COMMAND...: its answer is `answer`. Not in a subshell, which would not have the coprocess.
-emulator() { echo "$*" >&"${EMULATOR[1]}" && read -r -t 300 -u "${EMULATOR[0]}" answer; }
-# emulate DEVICE...: starts it.
-emulate() {
-  coproc EMULATOR { exec "$usbip" --vhci "$@" 2>/tmp/emulator; }
-  emulator_process=$EMULATOR_PID answer=
-  read -r -t 300 -u "${EMULATOR[0]}" answer || true
-  [ "$answer" = ready ] || fail "the emulator does not start: $(cat /tmp/emulator)"
-}
-end_emulator() {
-  emulator quit || fail "the emulator does not answer"
-  wait "$emulator_process" || fail "the emulator: $(cat /tmp/emulator)"
-}
-plugged() { emulator plug "$1" && [ "$answer" = ok ]; }
 
 step "install, of an older version, with a board plugged in: enabled, started, ready"
 # Without a HID device the kernel's hid is not loaded, and the service must load it.
@@ -97,25 +35,37 @@ found_board() { board=$(grep -lx 0006 /sys/bus/usb/devices/*/serial); }
 eventually found_board
 board=${board%/serial}
 board=/dev/bus/usb/$(printf '%03d/%03d' "$(<"$board/busnum")" "$(<"$board/devnum")")
-install "$older"
+install "$older"/*.deb
 eventually is ActiveState active
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled"
+for unit in hedgehog-gamepad hedgehog-mqtt; do
+  [ "$(systemctl is-enabled "$unit")" = disabled ] || fail "$unit is enabled"
+  are "$unit" ActiveState=inactive
+done
 are hedgehogd User=hedgehog
 property StatusText | grep -q "^SIMULATOR: armed" || fail "its status is '$(property StatusText)'"
 hedgehogctl pulse left
 
+# What stops and restarts services are the preinst and the postinst of the new package. The older one's prerm and postrm do nothing in
+# an upgrade, so the step is the same for all packages of BEFORE.
 step "upgrade: the processes of the new version, with settings and state as before"
 echo '{ "limits": { "current_a": 12 } }' >/etc/hedgehog/hedgehogd.json
 echo '{ "listen": { "tcp": ["127.0.0.1:7596"] }, "http": { "listen": "127.0.0.1:7597" }, "limits": { "current_a": 11 } }' >/etc/hedgehog/0007.json
 systemctl start hedgehogd@0007
 ctl 0007 stop
-process=$(property MainPID)
-process_of_0007=$(property MainPID hedgehogd@0007)
-install "$packages"
+clients=(hedgehog-gamepad hedgehog-mqtt)
+# Packages of BEFORE may have no instances of hedgehog-mqtt yet.
+[ ! -e /lib/systemd/system/hedgehog-mqtt@.service ] || clients+=(hedgehog-mqtt@0007)
+systemctl start "${clients[@]}"
+eventually has_gamepad
+eventually logged "no broker at 127.0.0.1" hedgehog-mqtt
+declare -A processes
+for unit in hedgehogd hedgehogd@0007 "${clients[@]}"; do processes[$unit]=$(property MainPID "$unit"); done
+install "$packages"/{hedgehogd,hedgehog-tools}_*.deb
 [ "$(dpkg-query --show --showformat '${Version}' hedgehogd)" = "$(dpkg-deb --field "$packages"/hedgehogd_*.deb Version)" ] ||
   fail "the version is $(dpkg-query --show hedgehogd)"
-renewed hedgehogd "$process"
-renewed hedgehogd@0007 "$process_of_0007"
+for unit in "${!processes[@]}"; do renewed "$unit" "${processes[$unit]}"; done
+eventually has_gamepad
 for unit in hedgehogd hedgehogd@0007; do logged "coils off" "$unit" || fail "$unit did not stop orderly"; done
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled any more"
 grep -qw hidraw /proc/devices || fail "the service cannot be allowed to use a HID device"
@@ -124,7 +74,6 @@ eventually belongs_to_group
 end_emulator
 for unit in hedgehog-gamepad hedgehog-mqtt; do
   [ "$(systemctl is-enabled "$unit")" = disabled ] || fail "$unit is enabled"
-  are "$unit" ActiveState=inactive
 done
 has . state '"armed"' || fail "the ball is not armed any more"
 has . limit_a 12 || fail "hedgehogd has other settings"
@@ -133,7 +82,11 @@ has 0007 reason '"emergency_stop"' || fail "hedgehogd@0007 does not know of the 
 hedgehogctl pulse left
 ctl 0007 arm
 ctl 0007 pulse left
-systemctl stop hedgehogd@0007
+systemctl stop hedgehogd@0007 "${clients[@]}"
+
+step "upgrade: services of the tools that are stopped stay so"
+install "$packages"/hedgehog-tools_*.deb
+for unit in "${clients[@]}"; do are "$unit" ActiveState=inactive Result=success; done
 
 step "permissions of socket, state and settings"
 modes=$(stat --format '%a %U:%G %n' /run/hedgehog /run/hedgehog/hedgehogd.sock /var/lib/hedgehog /etc/hedgehog/hedgehogd.json)
@@ -300,12 +253,19 @@ are hedgehog-mqtt@0009 ActiveState=active
 rm /etc/hedgehog/mqtt.env /etc/hedgehog/mqtt-0009.env
 systemctl enable --quiet --now hedgehogd
 
-step "purged: nothing runs, nothing is left"
+step "purged while all services run: nothing runs, nothing is left"
+systemctl enable --quiet --now hedgehog-gamepad hedgehog-mqtt
+eventually has_gamepad
+services=(hedgehogd hedgehogd@0009 hedgehog-gamepad hedgehog-mqtt hedgehog-mqtt@0009)
+for unit in "${services[@]}"; do are "$unit" ActiveState=active; done
 rm /etc/hedgehog/0007.json /etc/hedgehog/0009.json /etc/hedgehog/devices.d/ball-9.json
 dpkg --no-triggers --force-unsafe-io --purge hedgehogd hedgehog-tools >/tmp/out 2>&1 || { cat /tmp/out; fail "dpkg --purge"; }
-are hedgehogd@0009 ActiveState=inactive
-are hedgehog-mqtt@0009 ActiveState=inactive
-! pgrep -x hedgehogd || fail "a daemon runs on"
+for unit in "${services[@]}"; do are "$unit" ActiveState=inactive; done
+! pgrep --list-full --full '^/usr/bin/hedgehog' || fail "it runs on"
+! has_gamepad || fail "the gamepad is still there"
+# hedgehog-mqtt is a user only while it runs.
+accounts=$(getent passwd hedgehog hedgehog-gamepad hedgehog-mqtt || true; getent group hedgehog hedgehog-gamepad || true)
+[ -z "$accounts" ] || fail "accounts left behind: $accounts"
 left=$(find /etc /var/lib/hedgehog /run/hedgehog /usr/lib/systemd /usr/bin -xdev -name '*hedgehog*' 2>/dev/null | grep -v '^/etc/apt' || true)
 [ -z "$left" ] || fail "left behind: $left"
 step "all is well"

@@ -21,4 +21,4 @@ from .messages import Direction, Event, EventType, Status, Telemetry, TelemetryF
 __all__ = ["AddressError", "AsyncBall", "Ball", "BallError", "Direction", "DiscoveredBall", "ErrorCode", "ErrorName", "Event", "EventType",
            "NotConnected", "RequestError", "Status", "SubscriptionEnded", "Telemetry", "TelemetryField",
            "discover"]
-__version__ = "1.0.0"
+__version__ = "0.1.0"

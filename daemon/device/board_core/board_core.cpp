@@ -139,9 +139,8 @@ void BoardCore::check_current() noexcept {
 
   if (budget_spent) live_ |= kHeatBudget;
   if (over_current_.step(norm_squared > square(limits_.current_ma))) live_ |= kOverCurrent;
-  const bool charged = charged_.step(before_.supply_switch_closed);
-  const bool drawn =
-      charged && inputs_.supply_current_measured && inputs_.supply_ma > kStuckSupplyMa;
+  const bool drawn = charged_.step(before_.supply_switch_closed) &&
+                     inputs_.supply_current_measured && inputs_.supply_ma > kStuckSupplyMa;
   const bool flows = drawn || norm_squared > kStuckMa * kStuckMa;
   if (stuck_.step(!before_.awake && flows)) live_ |= kStuckBridge;
   if (unexpected_current()) live_ |= kUnexpectedCurrent;
@@ -206,9 +205,8 @@ void BoardCore::check_dead_man() noexcept {
 }
 
 void BoardCore::answer_arm() noexcept {
-  const bool requested = arm_requested_ && requested_arm_count_ != arm_count_;
+  if (!arm_requested_ || requested_arm_count_ == arm_count_) return;
   arm_requested_ = false;
-  if (!requested) return;
   arm_count_ = requested_arm_count_;
   if (armed() || live_ != 0 || !fed()) return;
   latched_ = 0;
