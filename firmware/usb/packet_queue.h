@@ -19,8 +19,9 @@ class PacketQueue {
   /// REQUIRES: has_capacity(). Of a longer packet, which no host sends, the first kPacketBytes.
   void put(const volatile uint8_t* bytes, size_t length) noexcept {
     Packet& packet = packets_[written_++ % kCapacity];
-    packet.length = static_cast<uint8_t>(length <= kPacketBytes ? length : kPacketBytes + 1);
-    for (size_t i = 0; i < length && i < kPacketBytes; ++i) packet.bytes[i] = bytes[i];
+    packet.length = static_cast<uint8_t>(smaller(length, kPacketBytes + 1));
+    const size_t stored = smaller(length, kPacketBytes);
+    for (size_t i = 0; i < stored; ++i) packet.bytes[i] = bytes[i];
   }
 
   /// The length of the oldest packet, kPacketBytes + 1 for each that was longer, of which as much
@@ -28,12 +29,14 @@ class PacketQueue {
   size_t take(uint8_t* bytes, size_t capacity) noexcept {
     if (read_ == written_) return 0;
     const Packet& packet = packets_[read_++ % kCapacity];
-    for (size_t i = 0; i < packet.length && i < kPacketBytes && i < capacity; ++i)
-      bytes[i] = packet.bytes[i];
+    const size_t copied = smaller(smaller(packet.length, kPacketBytes), capacity);
+    for (size_t i = 0; i < copied; ++i) bytes[i] = packet.bytes[i];
     return packet.length;
   }
 
  private:
+  static constexpr size_t smaller(size_t a, size_t b) noexcept { return a < b ? a : b; }
+
   struct Packet {
     uint8_t length = 0;
     uint8_t bytes[kPacketBytes] = {};

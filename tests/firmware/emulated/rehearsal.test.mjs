@@ -173,14 +173,20 @@ test('with that file it gives its first push, and its values are those of the ba
   const file = readFound();
   await withDaemon(await start({ 'ball-7': file }, 'ball-7'), async (daemon, ball) => {
     await daemon.state('armed');
-    for (const [direction, k] of [['front', 0], ['left', 1], ['up', 2]]) {
+    /** `amps` through winding `k` alone. */
+    const pulse = async (direction, k, amps, durationMs) => {
       const before = daemon.trace().length;
-      await does(daemon, 'pulse', direction, '--current-a', '10', '--duration-ms', '300');
+      await does(daemon, 'pulse', direction, '--current-a', String(amps), '--duration-ms', String(durationMs));
       const line = await eventually('the bridges sleep', () => daemon.trace().slice(before).find(({ event }) => event === 'asleep'));
       // The remaining current of this pulse must not count for the next one.
       await eventually('no current', () => daemon.trace().slice(before).some(({ event }) => event === 'zero'));
-      line.peak_ma.forEach((ma, i) => assert.ok(i === k ? ma > 9500 && ma < 10_500 : Math.abs(ma) < 300, `${direction}: ${line.peak_ma} mA`));
-    }
+      line.peak_ma.forEach((ma, i) => assert.ok(i === k ? Math.abs(ma / amps - 1000) < 50 : Math.abs(ma) < 300, `${direction}: ${line.peak_ma} mA`));
+    };
+    const windings = [['front', 0], ['left', 1], ['up', 2]];
+    for (const [direction, k] of windings) await pulse(direction, k, 5, 150);
+    // bring-up.md, step 8: 5 A for a minute, then 15 A for a second at a time
+    for (const [direction] of kThermal ? windings : []) await does(daemon, 'hold', direction, '--current-a', '5', '--for', '60');
+    for (const [direction, k] of windings) await pulse(direction, k, 15, 1000);
     const gains = await measureGains(ball, kDrawn.supply_v);
     file.r25_ohm.forEach((ohm, k) => {
       const share = ohm / kDrawn.r25_ohm[k] * gains.current[k] / gains.supply - 1;
@@ -189,5 +195,12 @@ test('with that file it gives its first push, and its values are those of the ba
     });
     if (kThermal) checkThermal(file, gains);
     assert.equal((await ball.status()).last_trip, null);
+    // The daemon's guide, the end of step 3: the cable is pulled.
+    await ball.hold('up', { slot: 'test', current_a: 0.5, lease_ms: 10_000 });
+    await eventually('0.5 A flow', async () => Math.abs((await trueCurrents(ball))[2]) > 0.45);
+    const lines = await daemon.control('unplug 300');
+    const [unplugged, asleep] = ['unplugged', 'asleep'].map((name) => lines.find(({ event }) => event === name));
+    assert.ok(Math.abs(asleep.us - unplugged.us) < 1000, JSON.stringify([unplugged, asleep]));
+    await eventually('no current', async () => Math.hypot(...(await trueCurrents(ball))) < 0.1);
   });
 });

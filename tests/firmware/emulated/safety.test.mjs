@@ -186,6 +186,17 @@ test('a fault of the processor leaves the safe pins at once, then a reset', with
   assertNoCurrent(board);
 }));
 
+test('a fault of the processor before its program is in SRAM leaves the pins as in reset', withBoard((board) => {
+  board.run(0.2);
+  assert.equal(board.chip.core.PC >>> 28, 1, 'it runs in the flash');
+  board.chip.fault();
+  board.run(30);
+  assert.equal(board.chip.core.PC >>> 28, 1);
+  assert.equal(board.pins().awake, false);
+  assert.equal(board.pins().closed, false);
+  assertNoCurrent(board);
+}));
+
 test('a flood of bad packets neither drives, nor feeds the dead-man, nor holds the board up', withBoard((board, driver) => {
   driver.drive(kFiveAmps);
   driver.sending = false;
