@@ -591,15 +591,15 @@ export declare const ErrorCode: {
   readonly method_not_found: -32601;
   /** A parameter is unknown, missing, of the wrong type, out of range, or at odds with another. */
   readonly invalid_params: -32602;
-  /** A bug, or the disk: what was asked is done, but not on disk. */
+  /** A bug; or the request was applied, but not written to disk. */
   readonly internal_error: -32603;
   /** Nothing can be played: state, reason and remedy say why. */
   readonly not_armed: -32000;
-  /** Something is full or stopping; nothing was changed. */
+  /** A queue or pool is full, or the daemon is stopping; nothing was changed. */
   readonly busy: -32001;
-  /** It has ended, or is somebody else's. */
+  /** The effect has ended, or belongs to another connection. */
   readonly no_such_effect: -32002;
-  /** The token is not known. */
+  /** The token is unknown or revoked. */
   readonly unauthorized: -32003;
   /** It needs role_needed. */
   readonly forbidden: -32004;
@@ -607,11 +607,11 @@ export declare const ErrorCode: {
   readonly device_absent: -32005;
   /** Not by this server, not in this configuration. */
   readonly unsupported: -32006;
-  /** Heat would make it less than asked, and if_limited is refuse. */
+  /** The thermal limit would reduce the effect, and if_limited is refuse. */
   readonly refused_thermal: -32007;
   /** There is no pattern of that name. */
   readonly no_such_pattern: -32008;
-  /** Another client has the ball for itself, or feeds its orientation. */
+  /** Another client has exclusive use of the ball, or sets its orientation. */
   readonly claimed: -32009;
   /** It is refused while the ball is armed. */
   readonly armed: -32010;
@@ -686,9 +686,9 @@ export interface EffectCircleParams {
   on_close?: "stop" | "finish";
   /** The connection's own name for an effect. */
   slot?: string;
-  /** Only the highest active one is felt; 8 and 9 need the role operate. 0 to 9 */
+  /** Only effects of the highest active priority are output; 8 and 9 need the role operate. 0 to 9 */
   priority?: number;
-  /** "refuse": an error instead of less than what was asked. */
+  /** "refuse": an error instead of a reduced effect. */
   if_limited?: "reduce" | "refuse";
 }
 
@@ -731,9 +731,9 @@ export interface EffectHoldParams {
   on_close?: "stop" | "finish";
   /** The connection's own name for an effect. */
   slot?: string;
-  /** Only the highest active one is felt; 8 and 9 need the role operate. 0 to 9 */
+  /** Only effects of the highest active priority are output; 8 and 9 need the role operate. 0 to 9 */
   priority?: number;
-  /** "refuse": an error instead of less than what was asked. */
+  /** "refuse": an error instead of a reduced effect. */
   if_limited?: "reduce" | "refuse";
 }
 
@@ -791,9 +791,9 @@ export interface EffectPlayParams {
   on_close?: "stop" | "finish";
   /** The connection's own name for an effect. */
   slot?: string;
-  /** Only the highest active one is felt; 8 and 9 need the role operate. 0 to 9 */
+  /** Only effects of the highest active priority are output; 8 and 9 need the role operate. 0 to 9 */
   priority?: number;
-  /** "refuse": an error instead of less than what was asked. */
+  /** "refuse": an error instead of a reduced effect. */
   if_limited?: "reduce" | "refuse";
 }
 
@@ -843,9 +843,9 @@ export interface EffectPulseParams {
   on_close?: "stop" | "finish";
   /** The connection's own name for an effect. */
   slot?: string;
-  /** Only the highest active one is felt; 8 and 9 need the role operate. 0 to 9 */
+  /** Only effects of the highest active priority are output; 8 and 9 need the role operate. 0 to 9 */
   priority?: number;
-  /** "refuse": an error instead of less than what was asked. */
+  /** "refuse": an error instead of a reduced effect. */
   if_limited?: "reduce" | "refuse";
 }
 
@@ -927,9 +927,9 @@ export interface EffectUpdateParams {
   on_close?: "stop" | "finish";
   /** The connection's own name for an effect. */
   slot?: string;
-  /** Only the highest active one is felt; 8 and 9 need the role operate. 0 to 9 */
+  /** Only effects of the highest active priority are output; 8 and 9 need the role operate. 0 to 9 */
   priority?: number;
-  /** "refuse": an error instead of less than what was asked. */
+  /** "refuse": an error instead of a reduced effect. */
   if_limited?: "reduce" | "refuse";
 }
 
@@ -972,9 +972,9 @@ export interface EffectVibrateParams {
   on_close?: "stop" | "finish";
   /** The connection's own name for an effect. */
   slot?: string;
-  /** Only the highest active one is felt; 8 and 9 need the role operate. 0 to 9 */
+  /** Only effects of the highest active priority are output; 8 and 9 need the role operate. 0 to 9 */
   priority?: number;
-  /** "refuse": an error instead of less than what was asked. */
+  /** "refuse": an error instead of a reduced effect. */
   if_limited?: "reduce" | "refuse";
 }
 
@@ -1000,7 +1000,7 @@ export type EventsUnsubscribeParams = Record<string, never>;
 export interface HelloParams {
   /** Name and version of the client, for the operator. */
   client?: string;
-  /** The version that the client speaks. */
+  /** The protocol version of the client. */
   protocol?: string;
   /** Gives the connection the token's role. */
   token?: string;
@@ -1070,7 +1070,7 @@ export interface SimSetParams {
   };
   /** Temperature of the simulated room. -20 to 60 */
   ambient_c?: number;
-  /** Replaces all simulated faults; {} mends the ball. */
+  /** Replaces all simulated faults; {} clears them. */
   fault?: {
     faults?: Array<string>;
     coil?: number;

@@ -59,25 +59,25 @@ import type {
 } from "./messages.js";
 
 export declare class Methods {
-  /** Who is connected, since when, and what they play. */
+  /** The connections, with their start times and effects. */
   connectionList(params?: ConnectionListParams): Promise<Connections>;
-  /** Lets the coils be driven again, when the cause of the stop is gone. */
+  /** Arms the ball once the cause of the stop no longer exists. */
   arm(params?: DeviceArmParams): Promise<State>;
-  /** Only this connection plays until it releases, ends, or is silent. */
+  /** Exclusive use of the ball until release, end of the connection, or expiry of the lease. */
   claim(params?: DeviceClaimParams): Promise<Claim>;
   /** The ball: pins, coils, limits, calibration, identity. */
   describe(params?: DeviceDescribeParams): Promise<Description>;
   /** Coils off at the next tick, latched until armed. */
   emergencyStop(params?: DeviceEmergencyStopParams): Promise<State>;
-  /** The board goes into its boot loader and waits for new firmware; not while it is armed. */
+  /** Restarts the board in its boot loader, for a firmware update; rejected while armed. */
   enterBootLoader(params?: DeviceEnterBootLoaderParams): Promise<State>;
   /** USB and HID devices: which are used, and why the others are not. */
   list(params?: DeviceListParams): Promise<Devices>;
-  /** Gives a claim back. */
+  /** Releases the claim. */
   release(params?: DeviceReleaseParams): Promise<Done>;
-  /** Everything that can be known of the ball now. */
+  /** State of the ball: temperatures, currents, limits, effects. */
   status(params?: DeviceStatusParams): Promise<Status>;
-  /** The field walks round an axis, from pin to pin. */
+  /** The field rotates about an axis, from pin to pin. */
   circle(axis?: Direction, params?: Omit<EffectCircleParams, "axis">): Promise<Admission>;
   /** A push that lasts as long as it is renewed. */
   hold(direction: Direction, params?: Omit<EffectHoldParams, "direction">): Promise<Admission>;
@@ -85,39 +85,39 @@ export declare class Methods {
   latency(params?: EffectLatencyParams): Promise<Latency>;
   /** Plays key frames, of a named pattern or its own. */
   play(pattern?: string, params?: Omit<EffectPlayParams, "pattern">): Promise<Admission>;
-  /** What an effect would do, without doing it. */
+  /** Computes currents and temperatures of an effect without starting it. */
   preview(params: EffectPreviewParams): Promise<Preview>;
   /** One push towards a direction. */
   pulse(direction: Direction, params?: Omit<EffectPulseParams, "direction">): Promise<Admission>;
   /** Ends one of the connection's own effects. */
   stop(params?: EffectStopParams): Promise<Stopped>;
-  /** Ends all effects of the connection, or of everybody. */
+  /** Ends all effects of the connection, or of all connections. */
   stopAll(params?: EffectStopAllParams): Promise<Stopped>;
   /** Changes a playing effect and renews its lease. */
   update(params?: EffectUpdateParams): Promise<Admission>;
   /** A push with a waveform. */
   vibrate(direction?: Direction, params?: Omit<EffectVibrateParams, "direction">): Promise<Admission>;
-  /** What has happened, also before the last start. */
+  /** Past events, including those before the last start. */
   eventsHistory(params?: EventsHistoryParams): Promise<History>;
-  /** The front of the ball points at this azimuth now. */
+  /** Sets the azimuth of the ball's front. */
   orientationRecenter(params?: OrientationRecenterParams): Promise<Recentered>;
-  /** Feeds the orientation from outside. */
+  /** Sets the orientation measured by an external sensor. */
   orientationSet(params: OrientationSetParams): Promise<Done>;
-  /** The owner's comfort setting for everything, stored. */
+  /** Gain applied to all effects; persistent. */
   outputSetGain(params: OutputSetGainParams): Promise<Gain>;
   /** One named pattern with its key frames. */
   patternGet(params: PatternGetParams): Promise<Pattern>;
-  /** The named patterns there are. */
+  /** Lists the named patterns. */
   patternList(params?: PatternListParams): Promise<Patterns>;
-  /** Keeps a pattern under vendor/name. */
+  /** Stores a pattern under vendor/name. */
   patternPut(params: PatternPutParams): Promise<PatternSummary>;
-  /** Forgets a pattern that was put. */
+  /** Removes a stored pattern. */
   patternRemove(params: PatternRemoveParams): Promise<Done>;
   /** The device time. */
   ping(params?: PingParams): Promise<Ping>;
-  /** Changes the simulated world. */
+  /** Sets orientation, ambient temperature and faults of the simulation. */
   simSet(params?: SimSetParams): Promise<SimulatedWorld>;
-  /** The simulated ball as it really is. */
+  /** True state of the simulated ball. */
   simTruth(params?: SimTruthParams): Promise<SimulatedTruth>;
   /** Temperatures and currents of the last minutes. */
   telemetryHistory(params?: TelemetryHistoryParams): Promise<TelemetryHistory>;

@@ -18,8 +18,8 @@ ClientError bad_address(std::string_view text, std::string_view why) {
 
 ClientError bad_fingerprint() {
   return {Failure::kBadAddress,
-          "HEDGEHOG_FINGERPRINT is none: it has 64 hexadecimal digits, as hedgehogctl token "
-          "certificate prints it",
+          "HEDGEHOG_FINGERPRINT is invalid: it must have 64 hexadecimal digits, as hedgehogctl "
+          "token certificate prints it",
           {}};
 }
 

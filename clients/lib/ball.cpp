@@ -267,10 +267,10 @@ client::ClientError Ball::end_connection(const client::ClientError& why) {
   }
   std::string reason = why.message;
   if (why.failure == client::Failure::kProtocol)
-    reason = "what answers is no Hedgehog daemon: " + reason;
+    reason = "the server is not a Hedgehog daemon: " + reason;
   client::Milliseconds min_wait{0};
   if (notice_) {
-    reason += " (it said: " + notice_->message + ")";
+    reason += " (message: " + notice_->message + ")";
     if (notice_->refusal && notice_->refusal->retry_after_ms)
       min_wait = std::min(kMaxRetryAfter, client::Milliseconds(*notice_->refusal->retry_after_ms));
   }

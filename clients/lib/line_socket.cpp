@@ -218,7 +218,7 @@ Outcome<void> LineSocket::write(std::string_view line, Clock::time_point deadlin
   if (!finished.error) return {};
   impl_->close();
   if (finished.error == asio::error::timed_out)
-    return ClientError{Failure::kClosed, "the daemon does not read what it is sent", {}};
+    return ClientError{Failure::kClosed, "the daemon does not read from the connection", {}};
   return ended(finished.error);
 }
 
@@ -232,7 +232,7 @@ Outcome<std::optional<std::string>> LineSocket::read(Clock::time_point deadline)
     impl_->discard_read_lines();
     if (impl_->buffer.size() > kMaxIncomingLine) {
       impl_->close();
-      return ClientError{Failure::kProtocol, "the daemon sent a line that does not end", {}};
+      return ClientError{Failure::kProtocol, "the daemon sent a line longer than the limit", {}};
     }
     if (!impl_->socket.is_open()) return ended(asio::error::eof);
     const auto finished = impl_->await(deadline, [&](auto done) {

@@ -68,7 +68,8 @@ class ThreadedBall {
     const bool queued =
         post([promise, call = std::move(call)](Ball& ball) { promise->set_value(call(ball)); });
     if (!queued)
-      promise->set_value(client::ClientError{client::Failure::kClosed, "too much is waiting", {}});
+      promise->set_value(
+          client::ClientError{client::Failure::kClosed, "too many requests are pending", {}});
     return response;
   }
   void run();

@@ -4,13 +4,17 @@
 set -eu
 
 [ $# -eq 1 ] || { echo "pack.sh OUT" >&2; exit 64; }
-clients=$(cd -- "$(dirname -- "$0")/../../clients" && pwd)
+here=$(cd -- "$(dirname -- "$0")" && pwd)
+clients=$here/../../clients
 rm -rf "$1"
 mkdir -p "$1"
 out=$(cd -- "$1" && pwd)
-(cd "$clients/js" && npm pack --pack-destination "$out" --offline --loglevel=error) >/dev/null
-# A copy, because the build leaves folders beside the sources.
-cp -r "$clients/python" "$out/source"
-(cd "$out/source" && pyproject-build --wheel --no-isolation --outdir "$out" .) >"$out/build.log" 2>&1 ||
+# Copies, because the pages of a package differ, and a build leaves folders beside the sources.
+cp -r "$clients/js" "$out/js"
+"$here/packed_pages.py" "$clients/js" "$out/js" connection.md
+(cd "$out/js" && npm pack --pack-destination "$out" --offline --loglevel=error) >/dev/null
+cp -r "$clients/python" "$out/python"
+"$here/packed_pages.py" "$clients/python" "$out/python"
+(cd "$out/python" && pyproject-build --wheel --no-isolation --outdir "$out" .) >"$out/build.log" 2>&1 ||
   { cat "$out/build.log" >&2; exit 1; }
-rm -r "$out/source" "$out/build.log"
+rm -r "$out/js" "$out/python" "$out/build.log"

@@ -187,7 +187,10 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
 
     async def action(self, library, step):
         params = step.get("params", {})
-        if "call" in step:
+        if "not_finite" in step:
+            with self.assertRaises(ValueError):
+                await library.call(step["call"], {**params, step["not_finite"]: float("nan")})
+        elif "call" in step:
             result = await self.outcome(step, lambda: library.call(step["call"], params))
             if "result" in step:
                 self.assertEqual(result, step["result"])

@@ -272,6 +272,16 @@ class Addresses(unittest.TestCase):
             with self.assertRaisesRegex(hedgehog.AddressError, "is no address of a daemon"):
                 hedgehog.address.parse_address(text)
 
+    def test_a_host_name_that_cannot_be_looked_up_is_reported_in_a_sentence(self):
+        """getaddrinfo raises UnicodeError for it."""
+        async def ping():
+            await hedgehog.AsyncBall().ping()
+        for name in ("a..b", "x" * 64):
+            with mock.patch.dict(os.environ, {"HEDGEHOG_ADDRESS": name}):
+                for connect in (hedgehog.Ball, lambda: asyncio.run(ping())):
+                    with self.assertRaisesRegex(hedgehog.NotConnected, "the daemon does not run: %s:7586: .*label" % re.escape(name)):
+                        connect()
+
 
 if __name__ == "__main__":
     unittest.main()

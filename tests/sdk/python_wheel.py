@@ -4,10 +4,12 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 
 import live_daemon
 import readme
@@ -35,6 +37,14 @@ class Wheel(unittest.TestCase):
             found = subprocess.run([python, "-c", "import hedgehog, pathlib; print((pathlib.Path(hedgehog.__file__).parent / 'py.typed').exists())"],
                                    cwd=empty, check=True, text=True, stdout=subprocess.PIPE).stdout
             self.assertEqual(found.strip(), "True")
+
+    def test_its_description_links_to_no_file(self):
+        wheel, = FOLDER.glob("hedgehog-*.whl")
+        with zipfile.ZipFile(wheel) as packed:
+            metadata, = (name for name in packed.namelist() if name.endswith("/METADATA"))
+            text = packed.read(metadata).decode("utf-8")
+        self.assertIn("# Python", text)
+        self.assertEqual(re.findall(r"\]\(([^):#]+)(?:#[^)]*)?\)", text), [])
 
 
 if __name__ == "__main__":

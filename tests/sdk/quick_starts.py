@@ -2,16 +2,15 @@
 # SPDX-License-Identifier: MIT
 """Tests the quick starts, from an installed daemon to the first pulse: quick_starts.py HEDGEHOGD [LIBRARY...].
 
-Each README's program is written to an empty folder beside the sources, and its commands are run verbatim, except the first, `START`:
-the daemon is a LiveDaemon instead, at free ports. The printed table has the
-number of commands and the time until the daemon started the first pulse. Exit: 1 a quick start fails, or the table of
-clients/README.md has another number of commands.
+Each README's program is written to an empty folder beside the sources, and its commands are pasted verbatim into one shell, in which
+`hedgehogd` is at a free port. Commands that wait for the daemon get one that starts LATE_S later, so that they fail if they do not
+wait. The printed table has the number of commands and the time until the daemon started the first pulse, without LATE_S. Exit: 1 a
+quick start fails, or the table of clients/README.md has another number of commands.
 """
 
-import os
+import itertools
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import threading
@@ -25,9 +24,13 @@ sys.path[:0] = [str(CLIENTS / "python"), str(ROOT / "tests" / "sdk" / "godot"), 
 import hedgehog  # noqa: E402
 import project  # noqa: E402
 import quick_start  # noqa: E402
-from live_daemon import LIMIT_S, LiveDaemon  # noqa: E402
+from live_daemon import LIMIT_S  # noqa: E402
+from terminal import Terminal  # noqa: E402
 
 START = "hedgehogd --simulate &"
+# Programs that make one attempt to connect, and that nothing slow precedes.
+WAITING = ("Python",)
+LATE_S = 1.0
 # README, language, files. C++ needs an installed library, therefore tests/install runs it.
 LIBRARIES = {"Python": ("python/README.md", "python", ["game.py"]), "JavaScript": ("js/README.md", "js", ["game.mjs"]),
              "C#": ("unity/README.md", "csharp", ["game.cs"]), "C++": ("lib/README.md", "cpp", ["game.cpp"]),
@@ -40,22 +43,48 @@ class FirstPulse:
     """The time at which the daemon started the first effect without a slot: each program's push."""
 
     def __init__(self, address):
-        self._ball = hedgehog.Ball(address, name="observer", timeout_s=LIMIT_S)
-        self._events = self._ball.events(["effect_started"], scope="all", timeout_s=LIMIT_S)
-        self.at = None
+        self._address = address
+        self._at = None
+        self._closed = threading.Event()
+        self._connected = threading.Event()
         self._thread = threading.Thread(target=self._wait)
         self._thread.start()
 
+    def _connect(self):
+        """None: closed before there was a daemon."""
+        while not self._closed.is_set():
+            try:
+                return hedgehog.Ball(self._address, name="observer", timeout_s=LIMIT_S)
+            except hedgehog.NotConnected:
+                self._closed.wait(0.02)
+        return None
+
     def _wait(self):
-        for event in self._events:
-            if event.get("slot") is None:
-                self.at = time.monotonic()
-                break
+        ball = self._connect()
+        if ball is None:
+            return
+        with ball:
+            try:
+                events = ball.events(["effect_started"], scope="all", timeout_s=LIMIT_S)
+                # What was played before this subscription.
+                past = ball.events_history(types=["effect_started"])["events"]
+                self._connected.set()
+                if any(event.get("slot") is None for event in itertools.chain(past, events)):
+                    self._at = time.monotonic()
+            except hedgehog.NotConnected:
+                # The daemon has ended.
+                return
+
+    def wait_until_connected(self):
+        self._connected.wait(LIMIT_S)
 
     def result(self):
         self._thread.join()
-        self._ball.close()
-        return self.at
+        return self._at
+
+    def close(self):
+        self._closed.set()
+        self._thread.join()
 
 
 def start_engine(library, game, environment):
@@ -67,24 +96,24 @@ def start_engine(library, game, environment):
 
 def time_quick_start(daemon_program, library, commands, game):
     """Seconds until the first pulse; None: there was none."""
+    assert commands[0].startswith(START), commands
+    late_s = LATE_S if library in WAITING else 0.0
     started = time.monotonic()
-    assert commands[0] == START, commands
-    daemon = LiveDaemon(daemon_program)
-    environment = dict(os.environ, HEDGEHOG_ADDRESS=daemon.address, HOME=str(game.parent), PYTHONDONTWRITEBYTECODE="1",
-                       npm_config_offline="true", npm_config_audit="false", npm_config_fund="false",
-                       npm_config_update_notifier="false")
+    terminal = Terminal(daemon_program, game.parent / "terminal", late_s)
+    first = FirstPulse(terminal.address)
     try:
-        first = FirstPulse(daemon.address)
-        for command in commands[1:]:
-            subprocess.run(["bash", "-c", command], cwd=game, env=environment, check=True, timeout=LIMIT_S, stdout=subprocess.DEVNULL)
-        running = start_engine(library, game, environment)
+        terminal.paste(commands, game)
+        # An engine is started by hand, later than its daemon.
+        first.wait_until_connected()
+        running = start_engine(library, game, terminal.environment)
         at = first.result()
         if running:
             running.kill()
             running.communicate()
     finally:
-        daemon.stop()
-    return at - started if at else None
+        terminal.close()
+        first.close()
+    return at - started - late_s if at else None
 
 
 def measure_quick_start(daemon_program, library):

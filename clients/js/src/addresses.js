@@ -46,7 +46,7 @@ export function parseFingerprint(text) {
   const digits = text.replaceAll(":", "").toUpperCase();
   if (!/^[0-9A-F]{64}$/.test(digits)) {
     throw new AddressError(
-      "the fingerprint is none: it has 64 hexadecimal digits, as hedgehogctl token certificate prints it",
+      "the fingerprint is invalid: it must have 64 hexadecimal digits, as hedgehogctl token certificate prints it",
     );
   }
   return digits.match(/../g).join(":");

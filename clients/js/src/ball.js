@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The client over any transport that carries a message a line or a frame.
+import { Backoff, shareOf } from "./backoff.js";
 import { NotConnected, RequestError, SubscriptionEnded } from "./errors.js";
 import { Methods } from "./methods.js";
 import { NotificationIterator } from "./notifications.js";
+import { given, requestText } from "./request.js";
 import { Subscriptions } from "./subscriptions.js";
 
 /** A rumble ends so long after its last frame: a game that hangs lets go of the ball. */
 const LEASE_MS = 250;
-const FIRST_WAIT_MS = 100;
-const MAX_WAIT_MS = 5000;
 /** The longest wait until the next connection that a daemon can ask for. */
 const MAX_RETRY_AFTER_MS = 60_000;
 /** What a daemon that does not read may leave unsent, in bytes. */
@@ -21,10 +21,6 @@ export function feltLevel(strength, limits) {
   return felt + (1 - felt) * Math.min(1, strength);
 }
 
-function given(params) {
-  return Object.fromEntries(Object.entries(params).filter(([, value]) => value !== undefined && value !== null));
-}
-
 /**
  * A connection to the daemon; the effects of a connection end with it. After a lost connection the next call connects
  * anew, no more often than its back-off allows. What the program subscribed to is subscribed to again; its effects are
@@ -32,7 +28,7 @@ function given(params) {
  * refuses has ended: `onSubscriptionEnded(error)` is called.
  *
  * `connectors`: resolves to functions that open a transport, tried in order, or rejects with an Error that says why there are none; is
- * called for each attempt. Each function is given `{message, ended}` and resolves to
+ * called for each attempt. Each function is given `{message, ended, timeoutMs}` and resolves to
  * `{send(text), unsent(), close()}` or rejects with an Error that says where and why; `unsent`: bytes that wait for the daemon.
  */
 export class BallCore extends Methods {
@@ -44,8 +40,7 @@ export class BallCore extends Methods {
   #lastId = 0;
   #pending = new Map();
   #subscribers = new Set();
-  #waitMs = 0;
-  #nextAttempt = 0;
+  #backoff = new Backoff();
   /** The error that the daemon sent last, if it answers no request: why it closes the connection. */
   #notice = null;
   #closed = false;
@@ -75,7 +70,10 @@ export class BallCore extends Methods {
     this.#end("this ball is closed");
   }
 
-  /** The result of a method. Rejects with RequestError when the daemon refuses, with NotConnected when there is none. */
+  /**
+   * The result of a method. Rejects with RequestError when the daemon refuses, with NotConnected when there is none, with TypeError
+   * for a parameter that JSON does not have (a BigInt, a cycle, NaN).
+   */
   async call(method, params = {}) {
     await this.open();
     const change = this.#subscriptions.sent(method, params);
@@ -90,7 +88,7 @@ export class BallCore extends Methods {
       this.open().catch(() => {});
       return false;
     }
-    if (!this.#send({ method }, params)) return false;
+    if (!this.#send(requestText({ method }, params))) return false;
     this.#subscriptions.carriedOut(this.#subscriptions.sent(method, params));
     return true;
   }
@@ -148,15 +146,17 @@ export class BallCore extends Methods {
   }
 
   async #connect() {
-    const wait = this.#nextAttempt - Date.now();
+    const wait = this.#backoff.remainingMs();
     if (wait > 0) throw new NotConnected(`the daemon does not run; next attempt in ${(wait / 1000).toFixed(1)} s`, wait);
     const connectors = await this.#connectors().catch(({ message }) => {
       throw this.#failed(message);
     });
     const why = [];
+    // One for all addresses and the introduction.
+    const deadline = performance.now() + this.#timeoutMs;
     for (const connect of connectors) {
       try {
-        this.#transport = await this.#openTransport(connect);
+        this.#transport = await this.#openTransport(connect, shareOf(deadline, connectors.length - why.length));
         break;
       } catch (error) {
         why.push(error.message);
@@ -165,13 +165,13 @@ export class BallCore extends Methods {
     if (!this.#transport) throw this.#failed(`the daemon does not run: ${why.join("; ")}`);
     if (this.#closed) throw this.#end("this ball is closed");
     try {
-      this.hello = await this.#ask("hello", this.#hello);
+      this.hello = await this.#ask("hello", this.#hello, shareOf(deadline));
     } catch (error) {
-      if (error instanceof RequestError) this.#end(error.message);
+      // Half a connection is none.
+      if (!(error instanceof NotConnected)) this.#end(error.message);
       throw error;
     }
-    this.#waitMs = 0;
-    this.#nextAttempt = 0;
+    this.#backoff.succeeded();
     for (const change of this.#subscriptions.current()) this.#renew(change);
     const { hello } = this;
     if (this.#connections++ > 0) queueMicrotask(() => this.#onReconnect?.(hello));
@@ -186,10 +186,10 @@ export class BallCore extends Methods {
       queueMicrotask(() => this.#onSubscriptionEnded?.(ended));
     };
     this.#pending.set(id, { resolve() {}, reject });
-    this.#send({ id, method: change.method }, change.params);
+    this.#send(requestText({ id, method: change.method }, change.params));
   }
 
-  async #openTransport(connect) {
+  async #openTransport(connect, timeoutMs) {
     let current = true;
     const transport = await connect({
       message: (text) => current && this.#receive(text),
@@ -198,7 +198,7 @@ export class BallCore extends Methods {
         current = false;
         this.#endOf(reason);
       },
-      timeoutMs: this.#timeoutMs,
+      timeoutMs,
     });
     return {
       send: (text) => transport.send(text),
@@ -210,30 +210,27 @@ export class BallCore extends Methods {
     };
   }
 
-  #ask(method, params) {
+  #ask(method, params, timeoutMs = this.#timeoutMs) {
     return new Promise((resolve, reject) => {
       if (!this.#transport) {
         reject(new NotConnected("the connection to the daemon has ended"));
         return;
       }
       const id = ++this.#lastId;
-      const timer = setTimeout(
-        () => this.#end(`${method}: no response within ${this.#timeoutMs / 1000} s`),
-        this.#timeoutMs,
-      );
+      // Before anything waits for the response: this can throw.
+      const text = requestText({ id, method }, params);
+      const timer = setTimeout(() => this.#end(`${method}: no response within ${this.#timeoutMs / 1000} s`), timeoutMs);
       this.#pending.set(id, { resolve, reject, timer });
-      this.#send({ id, method }, params);
+      this.#send(text);
     });
   }
 
   /** False: the connection has ended. */
-  #send(message, params) {
+  #send(text) {
     if (!this.#transport) return false;
-    const known = given(params);
-    if (Object.keys(known).length > 0) message.params = known;
-    this.#transport.send(JSON.stringify({ jsonrpc: "2.0", ...message }));
+    this.#transport.send(text);
     if (this.#transport.unsent() <= MAX_UNSENT) return true;
-    this.#end("the daemon does not read what it is sent");
+    this.#end("the daemon does not read from the connection");
     return false;
   }
 
@@ -245,7 +242,7 @@ export class BallCore extends Methods {
       message = null;
     }
     if (message === null || typeof message !== "object") {
-      this.#end("what answers is no Hedgehog daemon");
+      this.#end("the server is not a Hedgehog daemon");
       return;
     }
     this.#notice = (message.id ?? null) === null && message.error ? message.error : null;
@@ -290,9 +287,6 @@ export class BallCore extends Methods {
 
   /** retryAfterMs: the daemon wants no connection earlier. */
   #failed(message, retryAfterMs = 0) {
-    this.#waitMs = Math.min(MAX_WAIT_MS, this.#waitMs ? 2 * this.#waitMs : FIRST_WAIT_MS);
-    const wait = Math.max(this.#waitMs, retryAfterMs);
-    this.#nextAttempt = Date.now() + wait;
-    return new NotConnected(message, wait);
+    return new NotConnected(message, this.#backoff.failed(retryAfterMs));
   }
 }

@@ -11,15 +11,15 @@ export const ErrorCode = Object.freeze({
   method_not_found: -32601,
   /** A parameter is unknown, missing, of the wrong type, out of range, or at odds with another. */
   invalid_params: -32602,
-  /** A bug, or the disk: what was asked is done, but not on disk. */
+  /** A bug; or the request was applied, but not written to disk. */
   internal_error: -32603,
   /** Nothing can be played: state, reason and remedy say why. */
   not_armed: -32000,
-  /** Something is full or stopping; nothing was changed. */
+  /** A queue or pool is full, or the daemon is stopping; nothing was changed. */
   busy: -32001,
-  /** It has ended, or is somebody else's. */
+  /** The effect has ended, or belongs to another connection. */
   no_such_effect: -32002,
-  /** The token is not known. */
+  /** The token is unknown or revoked. */
   unauthorized: -32003,
   /** It needs role_needed. */
   forbidden: -32004,
@@ -27,11 +27,11 @@ export const ErrorCode = Object.freeze({
   device_absent: -32005,
   /** Not by this server, not in this configuration. */
   unsupported: -32006,
-  /** Heat would make it less than asked, and if_limited is refuse. */
+  /** The thermal limit would reduce the effect, and if_limited is refuse. */
   refused_thermal: -32007,
   /** There is no pattern of that name. */
   no_such_pattern: -32008,
-  /** Another client has the ball for itself, or feeds its orientation. */
+  /** Another client has exclusive use of the ball, or sets its orientation. */
   claimed: -32009,
   /** It is refused while the ball is armed. */
   armed: -32010,

@@ -3,15 +3,15 @@
 
 /** The daemon's methods; parameters by name, as protocol/README.md has them. */
 export class Methods {
-  /** Who is connected, since when, and what they play. */
+  /** The connections, with their start times and effects. */
   connectionList(params) {
     return this.call("connection.list", params);
   }
-  /** Lets the coils be driven again, when the cause of the stop is gone. */
+  /** Arms the ball once the cause of the stop no longer exists. */
   arm(params) {
     return this.call("device.arm", params);
   }
-  /** Only this connection plays until it releases, ends, or is silent. */
+  /** Exclusive use of the ball until release, end of the connection, or expiry of the lease. */
   claim(params) {
     return this.call("device.claim", params);
   }
@@ -23,7 +23,7 @@ export class Methods {
   emergencyStop(params) {
     return this.call("device.emergency_stop", params);
   }
-  /** The board goes into its boot loader and waits for new firmware; not while it is armed. */
+  /** Restarts the board in its boot loader, for a firmware update; rejected while armed. */
   enterBootLoader(params) {
     return this.call("device.enter_boot_loader", params);
   }
@@ -31,15 +31,15 @@ export class Methods {
   list(params) {
     return this.call("device.list", params);
   }
-  /** Gives a claim back. */
+  /** Releases the claim. */
   release(params) {
     return this.call("device.release", params);
   }
-  /** Everything that can be known of the ball now. */
+  /** State of the ball: temperatures, currents, limits, effects. */
   status(params) {
     return this.call("device.status", params);
   }
-  /** The field walks round an axis, from pin to pin. */
+  /** The field rotates about an axis, from pin to pin. */
   circle(axis, params) {
     return this.call("effect.circle", { axis, ...params });
   }
@@ -55,7 +55,7 @@ export class Methods {
   play(pattern, params) {
     return this.call("effect.play", { pattern, ...params });
   }
-  /** What an effect would do, without doing it. */
+  /** Computes currents and temperatures of an effect without starting it. */
   preview(params) {
     return this.call("effect.preview", params);
   }
@@ -67,7 +67,7 @@ export class Methods {
   stop(params) {
     return this.call("effect.stop", params);
   }
-  /** Ends all effects of the connection, or of everybody. */
+  /** Ends all effects of the connection, or of all connections. */
   stopAll(params) {
     return this.call("effect.stop_all", params);
   }
@@ -79,19 +79,19 @@ export class Methods {
   vibrate(direction, params) {
     return this.call("effect.vibrate", { direction, ...params });
   }
-  /** What has happened, also before the last start. */
+  /** Past events, including those before the last start. */
   eventsHistory(params) {
     return this.call("events.history", params);
   }
-  /** The front of the ball points at this azimuth now. */
+  /** Sets the azimuth of the ball's front. */
   orientationRecenter(params) {
     return this.call("orientation.recenter", params);
   }
-  /** Feeds the orientation from outside. */
+  /** Sets the orientation measured by an external sensor. */
   orientationSet(params) {
     return this.call("orientation.set", params);
   }
-  /** The owner's comfort setting for everything, stored. */
+  /** Gain applied to all effects; persistent. */
   outputSetGain(params) {
     return this.call("output.set_gain", params);
   }
@@ -99,15 +99,15 @@ export class Methods {
   patternGet(params) {
     return this.call("pattern.get", params);
   }
-  /** The named patterns there are. */
+  /** Lists the named patterns. */
   patternList(params) {
     return this.call("pattern.list", params);
   }
-  /** Keeps a pattern under vendor/name. */
+  /** Stores a pattern under vendor/name. */
   patternPut(params) {
     return this.call("pattern.put", params);
   }
-  /** Forgets a pattern that was put. */
+  /** Removes a stored pattern. */
   patternRemove(params) {
     return this.call("pattern.remove", params);
   }
@@ -115,11 +115,11 @@ export class Methods {
   ping(params) {
     return this.call("ping", params);
   }
-  /** Changes the simulated world. */
+  /** Sets orientation, ambient temperature and faults of the simulation. */
   simSet(params) {
     return this.call("sim.set", params);
   }
-  /** The simulated ball as it really is. */
+  /** True state of the simulated ball. */
   simTruth(params) {
     return this.call("sim.truth", params);
   }

@@ -110,7 +110,7 @@ class Ahap {
     const Values values = values_of(event);
     const double level = value(values, "HapticIntensity", 1.0, 0.0, 1.0);
     if (values.contains("HapticSharpness"))
-      note("HapticSharpness is left out: a push has no pitch; say frequency_hz when you play it");
+      note("HapticSharpness is left out: a push has no pitch; set frequency_hz when playing it");
     if (type == "HapticTransient")
       events_.push_back({{{start_ms, level}, {start_ms + kTransientMs, level}}});
     else if (type == "HapticContinuous")

@@ -36,7 +36,7 @@ class Hjif {
     Reading reading;
     reading.description = one_line(text(file, "description"));
     take_wave(reading);
-    if (channels_ > 1) note("its channels are felt as one");
+    if (channels_ > 1) note("its channels are played as one");
     reading.layers = std::move(layers_);
     reading.notes = std::move(notes_);
     return reading;
@@ -59,7 +59,7 @@ class Hjif {
       gain_ = number(channel, "gain", 1.0, -100.0, 100.0);
       const std::size_t before = layers_.size();
       if (is_object(member(channel, "direction")))
-        note("a channel's direction is left out: say rotate_to when you play it");
+        note("a channel's direction is left out: set rotate_to when playing it");
       for (const ForeignJson& band : list(channel, "bands")) take_band(band);
       channels_ += layers_.size() > before ? 1 : 0;
     }
@@ -206,7 +206,7 @@ class Hjif {
   void count_wave(const std::string& signal, const Layer& layer,
                   const std::vector<Layer::Point>& pitches) {
     if (!waves_) wave_ = signal;
-    if (wave_ != signal) note("waves of different signals are felt as the first one's");
+    if (wave_ != signal) note("waves of different signals are played as the first one's");
     waves_ = true;
     for (const Layer::Point& pitch : pitches) {
       const double felt = held(layer.points, pitch.t_ms);
@@ -221,11 +221,11 @@ class Hjif {
   void take_wave(Reading& reading) {
     if (!waves_) return;
     if (pushes_) {
-      note("waves are felt as pushes, because there are transients or curves beside them");
+      note("waves are played as pushes, because there are transients or curves beside them");
       return;
     }
     if (lowest_hz_ > highest_hz_) {
-      note("waves that say no frequency are felt as pushes");
+      note("waves without a frequency are played as pushes");
       return;
     }
     using model::Waveform;
@@ -234,14 +234,14 @@ class Hjif {
                                                           {"Triangle", Waveform::kTriangle},
                                                           {"SawToothUp", Waveform::kSawtooth}};
     const auto signal = kSignals.find(wave_);
-    if (signal == kSignals.end()) note("the signal '" + one_line(wave_) + "' is felt as a sine");
+    if (signal == kSignals.end()) note("the signal '" + one_line(wave_) + "' is played as a sine");
     reading.waveform = signal == kSignals.end() ? Waveform::kSine : signal->second;
     constexpr double kMinHz = 0.5;
     constexpr double kMaxHz = 250.0;
     const double mean_hz = weight_ > 0.0 ? frequency_sum_ / weight_ : lowest_hz_;
     reading.frequency_hz = std::round(10.0 * std::clamp(mean_hz, kMinHz, kMaxHz)) / 10.0;
-    if (highest_hz_ - lowest_hz_ > 1.0) note("frequencies that change are felt as their mean");
-    if (mean_hz > kMaxHz || mean_hz < kMinHz) note("the frequency is cut to 0.5..250 Hz");
+    if (highest_hz_ - lowest_hz_ > 1.0) note("frequencies that change are played as their mean");
+    if (mean_hz > kMaxHz || mean_hz < kMinHz) note("the frequency is limited to 0.5..250 Hz");
   }
 
   double ms_per_tick_ = 1.0;

@@ -82,7 +82,7 @@ def parse_fingerprint(text: str) -> bytes:
     except ValueError:
         digest = b""
     if len(digest) != 32:
-        raise AddressError("the fingerprint is none: it has 64 hexadecimal digits, as hedgehogctl token certificate prints it")
+        raise AddressError("the fingerprint is invalid: it must have 64 hexadecimal digits, as hedgehogctl token certificate prints it")
     return digest
 
 

@@ -171,7 +171,8 @@ class AsyncBall(AsyncMethods):
             try:
                 reader, self._writer = await asyncio.wait_for(_open(address), share_of(deadline, len(addresses) - len(tried)))
                 break
-            except (OSError, asyncio.TimeoutError) as error:
+            except (OSError, UnicodeError, asyncio.TimeoutError) as error:
+                # UnicodeError: a host name that cannot be encoded, as "a..b".
                 tried.append(address)
                 why.append(getattr(error, "strerror", None) or str(error) or "no answer")
         if self._writer is None:
@@ -204,7 +205,7 @@ class AsyncBall(AsyncMethods):
             return True
         # What is left would be kept until the daemon reads.
         self._writer.transport.abort()
-        self._end("the daemon does not read what it is sent")
+        self._end("the daemon does not read from the connection")
         return False
 
     async def _ask(self, method: str, params: Mapping[str, Any], timeout_s: Optional[float] = None) -> Any:
@@ -239,7 +240,7 @@ class AsyncBall(AsyncMethods):
         except OSError as error:
             why, retry_after_s = exchange.reason_of_end(error.strerror or str(error))
         except ValueError as error:
-            why = "what answers is no Hedgehog daemon: %s" % error
+            why = "the server is not a Hedgehog daemon: %s" % error
         # Not of a connection that has followed.
         if self._writer is writer:
             self._end(why, retry_after_s)

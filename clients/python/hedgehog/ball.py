@@ -188,9 +188,10 @@ class Ball(Methods):
             try:
                 self._socket = _open(address, share_of(deadline, len(addresses) - len(tried)))
                 break
-            except OSError as error:
+            except (OSError, UnicodeError) as error:
+                # UnicodeError: a host name that cannot be encoded, as "a..b".
                 tried.append(address)
-                why.append(error.strerror or str(error))
+                why.append(getattr(error, "strerror", None) or str(error))
         if self._socket is None:
             now = time.monotonic()
             self._backoff.failed(now)
@@ -238,7 +239,7 @@ class Ball(Methods):
             self._socket.settimeout(self._timeout_s if deadline is None else share_of(deadline))
             self._socket.sendall(line)
         except socket.timeout as error:
-            raise self._lost("the daemon does not read what it is sent") from error
+            raise self._lost("the daemon does not read from the connection") from error
         except OSError as error:
             self._read_rest()
             raise self._lost(*self._exchange.reason_of_end(error.strerror or str(error))) from error
@@ -259,7 +260,7 @@ class Ball(Methods):
         try:
             arrived = self._exchange.receive(data)
         except ValueError as error:
-            raise self._lost("what answers is no Hedgehog daemon: %s" % error) from error
+            raise self._lost("the server is not a Hedgehog daemon: %s" % error) from error
         for request in arrived:
             ended = self._subscriptions.answered(request, self._exchange)
             if ended is not None:

@@ -21,15 +21,15 @@ class ErrorCode(enum.IntEnum):
     METHOD_NOT_FOUND = -32601
     #: A parameter is unknown, missing, of the wrong type, out of range, or at odds with another.
     INVALID_PARAMS = -32602
-    #: A bug, or the disk: what was asked is done, but not on disk.
+    #: A bug; or the request was applied, but not written to disk.
     INTERNAL_ERROR = -32603
     #: Nothing can be played: state, reason and remedy say why.
     NOT_ARMED = -32000
-    #: Something is full or stopping; nothing was changed.
+    #: A queue or pool is full, or the daemon is stopping; nothing was changed.
     BUSY = -32001
-    #: It has ended, or is somebody else's.
+    #: The effect has ended, or belongs to another connection.
     NO_SUCH_EFFECT = -32002
-    #: The token is not known.
+    #: The token is unknown or revoked.
     UNAUTHORIZED = -32003
     #: It needs role_needed.
     FORBIDDEN = -32004
@@ -37,11 +37,11 @@ class ErrorCode(enum.IntEnum):
     DEVICE_ABSENT = -32005
     #: Not by this server, not in this configuration.
     UNSUPPORTED = -32006
-    #: Heat would make it less than asked, and if_limited is refuse.
+    #: The thermal limit would reduce the effect, and if_limited is refuse.
     REFUSED_THERMAL = -32007
     #: There is no pattern of that name.
     NO_SUCH_PATTERN = -32008
-    #: Another client has the ball for itself, or feeds its orientation.
+    #: Another client has exclusive use of the ball, or sets its orientation.
     CLAIMED = -32009
     #: It is refused while the ball is armed.
     ARMED = -32010

@@ -29,8 +29,10 @@ class Exchange:
 
     def request(self, method: str, params: Mapping[str, Any]) -> Tuple[int, bytes]:
         self._last_id += 1
+        # Raises ValueError for a number that JSON does not have; then nothing is expected.
+        line = self._line({"jsonrpc": "2.0", "id": self._last_id, "method": method}, params)
         self._expected.add(self._last_id)
-        return self._last_id, self._line({"jsonrpc": "2.0", "id": self._last_id, "method": method}, params)
+        return self._last_id, line
 
     def forget(self, request: int) -> None:
         """Nobody waits for this response any more."""

@@ -19,17 +19,17 @@ class Methods:
         raise NotImplementedError
 
     def connection_list(self) -> Connections:
-        """Who is connected, since when, and what they play."""
+        """The connections, with their start times and effects."""
         result: Connections = self.call("connection.list")
         return result
 
     def arm(self) -> State:
-        """Lets the coils be driven again, when the cause of the stop is gone."""
+        """Arms the ball once the cause of the stop no longer exists."""
         result: State = self.call("device.arm")
         return result
 
     def claim(self, *, lease_ms: Optional[float] = None) -> Claim:
-        """Only this connection plays until it releases, ends, or is silent.
+        """Exclusive use of the ball until release, end of the connection, or expiry of the lease.
 
         lease_ms: Ends after it unless renewed; 100 to 10000
         """
@@ -47,7 +47,7 @@ class Methods:
         return result
 
     def enter_boot_loader(self) -> State:
-        """The board goes into its boot loader and waits for new firmware; not while it is armed."""
+        """Restarts the board in its boot loader, for a firmware update; rejected while armed."""
         result: State = self.call("device.enter_boot_loader")
         return result
 
@@ -57,12 +57,12 @@ class Methods:
         return result
 
     def release(self) -> Done:
-        """Gives a claim back."""
+        """Releases the claim."""
         result: Done = self.call("device.release")
         return result
 
     def status(self) -> Status:
-        """Everything that can be known of the ball now."""
+        """State of the ball: temperatures, currents, limits, effects."""
         result: Status = self.call("device.status")
         return result
 
@@ -78,7 +78,7 @@ class Methods:
                duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
                on_close: Optional[OnClose] = None, slot: Optional[str] = None, priority: Optional[int] = None,
                if_limited: Optional[IfLimited] = None) -> Admission:
-        """The field walks round an axis, from pin to pin.
+        """The field rotates about an axis, from pin to pin.
 
         axis: The axis of the circle
         ring_deg: Angle between the axis and the circle; 90 is the equator; 0 to 180
@@ -104,8 +104,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.circle", axis=axis, ring_deg=ring_deg, speed_pins_s=speed_pins_s,
             sense=sense, stepping=stepping, frame=frame, level=level, current_a=current_a, force_n=force_n,
@@ -146,8 +146,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.hold", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
@@ -198,8 +198,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.play", pattern=pattern, keyframes=keyframes, rotate_to=rotate_to,
             rate=rate, loop=loop, frame=frame, level=level, current_a=current_a, force_n=force_n, gain=gain,
@@ -210,7 +210,7 @@ class Methods:
         return result
 
     def preview(self, method: Method, params: Mapping[str, Any]) -> Preview:
-        """What an effect would do, without doing it.
+        """Computes currents and temperatures of an effect without starting it.
 
         method: A method that plays; effect.pulse, effect.circle, effect.vibrate, effect.hold, effect.play
         params: The parameters of that method
@@ -249,8 +249,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.pulse", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
@@ -269,7 +269,7 @@ class Methods:
         return result
 
     def stop_all(self, *, scope: Optional[Scope] = None) -> Stopped:
-        """Ends all effects of the connection, or of everybody.
+        """Ends all effects of the connection, or of all connections.
 
         scope: "all" for effects of others too; mine, all
         """
@@ -324,8 +324,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.update", effect=effect, direction=direction, pattern=pattern,
             keyframes=keyframes, rotate_to=rotate_to, rate=rate, loop=loop, axis=axis, ring_deg=ring_deg,
@@ -369,8 +369,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.vibrate", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
@@ -381,7 +381,7 @@ class Methods:
 
     def events_history(self, *, since: Optional[str] = None, types: Optional[Sequence[str]] = None,
                        trips: Optional[bool] = None, limit: Optional[int] = None) -> History:
-        """What has happened, also before the last start.
+        """Past events, including those before the last start.
 
         since: Not before this time, RFC 3339
         types: Names of events; default all
@@ -392,7 +392,7 @@ class Methods:
         return result
 
     def orientation_recenter(self, *, azimuth_deg: Optional[float] = None) -> Recentered:
-        """The front of the ball points at this azimuth now.
+        """Sets the azimuth of the ball's front.
 
         azimuth_deg: Anticlockwise seen from above; -360 to 360
         """
@@ -400,7 +400,7 @@ class Methods:
         return result
 
     def orientation_set(self, quaternion: StatusOrientationQuaternion) -> Done:
-        """Feeds the orientation from outside.
+        """Sets the orientation measured by an external sensor.
 
         quaternion: Device to world, of length 1
         """
@@ -408,7 +408,7 @@ class Methods:
         return result
 
     def output_set_gain(self, gain: float) -> Gain:
-        """The owner's comfort setting for everything, stored.
+        """Gain applied to all effects; persistent.
 
         gain: Multiplies the strength; 0 to 1
         """
@@ -424,7 +424,7 @@ class Methods:
         return result
 
     def pattern_list(self) -> Patterns:
-        """The named patterns there are."""
+        """Lists the named patterns."""
         result: Patterns = self.call("pattern.list")
         return result
 
@@ -432,7 +432,7 @@ class Methods:
                     description: Optional[str] = None, waveform: Optional[PatternWaveform] = None,
                     frequency_hz: Optional[float] = None,
                     on_fraction: Optional[float] = None) -> PatternSummary:
-        """Keeps a pattern under vendor/name.
+        """Stores a pattern under vendor/name.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         keyframes: Where and how strongly, at points in time; t_ms never falls
@@ -446,7 +446,7 @@ class Methods:
         return result
 
     def pattern_remove(self, name: str) -> Done:
-        """Forgets a pattern that was put.
+        """Removes a stored pattern.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         """
@@ -461,11 +461,11 @@ class Methods:
     def sim_set(self, *, orientation: Optional[StatusOrientationQuaternion] = None,
                 ambient_c: Optional[float] = None, fault: Optional[Fault] = None,
                 errors: Optional[Sequence[SimulatedWorldErrors]] = None) -> SimulatedWorld:
-        """Changes the simulated world.
+        """Sets orientation, ambient temperature and faults of the simulation.
 
         orientation: Device to world, of length 1
         ambient_c: Temperature of the simulated room; -20 to 60
-        fault: Replaces all simulated faults; {} mends the ball
+        fault: Replaces all simulated faults; {} clears them
         errors: Replaces all errors of measurement and of the ball; [] ends them
         """
         result: SimulatedWorld = self.call("sim.set", orientation=orientation, ambient_c=ambient_c, fault=fault,
@@ -473,7 +473,7 @@ class Methods:
         return result
 
     def sim_truth(self) -> SimulatedTruth:
-        """The simulated ball as it really is."""
+        """True state of the simulated ball."""
         result: SimulatedTruth = self.call("sim.truth")
         return result
 
@@ -508,17 +508,17 @@ class AsyncMethods:
         raise NotImplementedError
 
     async def connection_list(self) -> Connections:
-        """Who is connected, since when, and what they play."""
+        """The connections, with their start times and effects."""
         result: Connections = await self.call("connection.list")
         return result
 
     async def arm(self) -> State:
-        """Lets the coils be driven again, when the cause of the stop is gone."""
+        """Arms the ball once the cause of the stop no longer exists."""
         result: State = await self.call("device.arm")
         return result
 
     async def claim(self, *, lease_ms: Optional[float] = None) -> Claim:
-        """Only this connection plays until it releases, ends, or is silent.
+        """Exclusive use of the ball until release, end of the connection, or expiry of the lease.
 
         lease_ms: Ends after it unless renewed; 100 to 10000
         """
@@ -536,7 +536,7 @@ class AsyncMethods:
         return result
 
     async def enter_boot_loader(self) -> State:
-        """The board goes into its boot loader and waits for new firmware; not while it is armed."""
+        """Restarts the board in its boot loader, for a firmware update; rejected while armed."""
         result: State = await self.call("device.enter_boot_loader")
         return result
 
@@ -546,12 +546,12 @@ class AsyncMethods:
         return result
 
     async def release(self) -> Done:
-        """Gives a claim back."""
+        """Releases the claim."""
         result: Done = await self.call("device.release")
         return result
 
     async def status(self) -> Status:
-        """Everything that can be known of the ball now."""
+        """State of the ball: temperatures, currents, limits, effects."""
         result: Status = await self.call("device.status")
         return result
 
@@ -568,7 +568,7 @@ class AsyncMethods:
                      lease_ms: Optional[float] = None, on_close: Optional[OnClose] = None,
                      slot: Optional[str] = None, priority: Optional[int] = None,
                      if_limited: Optional[IfLimited] = None) -> Admission:
-        """The field walks round an axis, from pin to pin.
+        """The field rotates about an axis, from pin to pin.
 
         axis: The axis of the circle
         ring_deg: Angle between the axis and the circle; 90 is the equator; 0 to 180
@@ -594,8 +594,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.circle", axis=axis, ring_deg=ring_deg,
             speed_pins_s=speed_pins_s, sense=sense, stepping=stepping, frame=frame, level=level,
@@ -637,8 +637,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.hold", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
@@ -691,8 +691,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.play", pattern=pattern, keyframes=keyframes,
             rotate_to=rotate_to, rate=rate, loop=loop, frame=frame, level=level, current_a=current_a,
@@ -703,7 +703,7 @@ class AsyncMethods:
         return result
 
     async def preview(self, method: Method, params: Mapping[str, Any]) -> Preview:
-        """What an effect would do, without doing it.
+        """Computes currents and temperatures of an effect without starting it.
 
         method: A method that plays; effect.pulse, effect.circle, effect.vibrate, effect.hold, effect.play
         params: The parameters of that method
@@ -743,8 +743,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.pulse", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
@@ -763,7 +763,7 @@ class AsyncMethods:
         return result
 
     async def stop_all(self, *, scope: Optional[Scope] = None) -> Stopped:
-        """Ends all effects of the connection, or of everybody.
+        """Ends all effects of the connection, or of all connections.
 
         scope: "all" for effects of others too; mine, all
         """
@@ -819,8 +819,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.update", effect=effect, direction=direction,
             pattern=pattern, keyframes=keyframes, rotate_to=rotate_to, rate=rate, loop=loop, axis=axis,
@@ -865,8 +865,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-        if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.vibrate", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
@@ -877,7 +877,7 @@ class AsyncMethods:
 
     async def events_history(self, *, since: Optional[str] = None, types: Optional[Sequence[str]] = None,
                              trips: Optional[bool] = None, limit: Optional[int] = None) -> History:
-        """What has happened, also before the last start.
+        """Past events, including those before the last start.
 
         since: Not before this time, RFC 3339
         types: Names of events; default all
@@ -888,7 +888,7 @@ class AsyncMethods:
         return result
 
     async def orientation_recenter(self, *, azimuth_deg: Optional[float] = None) -> Recentered:
-        """The front of the ball points at this azimuth now.
+        """Sets the azimuth of the ball's front.
 
         azimuth_deg: Anticlockwise seen from above; -360 to 360
         """
@@ -896,7 +896,7 @@ class AsyncMethods:
         return result
 
     async def orientation_set(self, quaternion: StatusOrientationQuaternion) -> Done:
-        """Feeds the orientation from outside.
+        """Sets the orientation measured by an external sensor.
 
         quaternion: Device to world, of length 1
         """
@@ -904,7 +904,7 @@ class AsyncMethods:
         return result
 
     async def output_set_gain(self, gain: float) -> Gain:
-        """The owner's comfort setting for everything, stored.
+        """Gain applied to all effects; persistent.
 
         gain: Multiplies the strength; 0 to 1
         """
@@ -920,7 +920,7 @@ class AsyncMethods:
         return result
 
     async def pattern_list(self) -> Patterns:
-        """The named patterns there are."""
+        """Lists the named patterns."""
         result: Patterns = await self.call("pattern.list")
         return result
 
@@ -928,7 +928,7 @@ class AsyncMethods:
                           description: Optional[str] = None, waveform: Optional[PatternWaveform] = None,
                           frequency_hz: Optional[float] = None,
                           on_fraction: Optional[float] = None) -> PatternSummary:
-        """Keeps a pattern under vendor/name.
+        """Stores a pattern under vendor/name.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         keyframes: Where and how strongly, at points in time; t_ms never falls
@@ -942,7 +942,7 @@ class AsyncMethods:
         return result
 
     async def pattern_remove(self, name: str) -> Done:
-        """Forgets a pattern that was put.
+        """Removes a stored pattern.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         """
@@ -957,11 +957,11 @@ class AsyncMethods:
     async def sim_set(self, *, orientation: Optional[StatusOrientationQuaternion] = None,
                       ambient_c: Optional[float] = None, fault: Optional[Fault] = None,
                       errors: Optional[Sequence[SimulatedWorldErrors]] = None) -> SimulatedWorld:
-        """Changes the simulated world.
+        """Sets orientation, ambient temperature and faults of the simulation.
 
         orientation: Device to world, of length 1
         ambient_c: Temperature of the simulated room; -20 to 60
-        fault: Replaces all simulated faults; {} mends the ball
+        fault: Replaces all simulated faults; {} clears them
         errors: Replaces all errors of measurement and of the ball; [] ends them
         """
         result: SimulatedWorld = await self.call("sim.set", orientation=orientation, ambient_c=ambient_c,
@@ -969,7 +969,7 @@ class AsyncMethods:
         return result
 
     async def sim_truth(self) -> SimulatedTruth:
-        """The simulated ball as it really is."""
+        """True state of the simulated ball."""
         result: SimulatedTruth = await self.call("sim.truth")
         return result
 

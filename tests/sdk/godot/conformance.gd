@@ -72,7 +72,7 @@ func take(step):
 		next()
 	elif asked == null:
 		if ball._engine.now_s() >= again_s:
-			asked = ball.open() if step.has("open") else ball.request(method_of(step), step.get("params", {}))
+			asked = ball.open() if step.has("open") else ball.request(method_of(step), params_of(step))
 	elif asked.done:
 		answer(step)
 
@@ -83,7 +83,9 @@ func answer(step):
 		again_s = ball._engine.now_s() + asked.retry_after_s
 		asked = null
 		return
-	if step.has("failure"):
+	if step.has("not_finite"):
+		check(asked.failure == "bad_value", "failure is " + asked.failure)
+	elif step.has("failure"):
 		check(asked.failure == step.failure, "failure is " + asked.failure)
 		check(step.says in asked.message, asked.message)
 	elif step.has("error"):
@@ -113,6 +115,13 @@ func next():
 	began_s = ball._engine.now_s()
 	asked = null
 	at += 1
+
+
+func params_of(step):
+	var params = step.get("params", {}).duplicate()
+	if step.has("not_finite"):
+		params[step.not_finite] = NAN
+	return params
 
 
 func method_of(step):

@@ -163,7 +163,7 @@ class Live(unittest.TestCase):
     def test_a_missing_daemon_is_reported_in_a_sentence(self):
         for engine in self.each_engine():
             lines = self.wait_for(self.scene(engine, "missing_daemon", "127.0.0.1:1"), "this ball is closed")
-            self.assertIn("not_connected the daemon does not run: 127.0.0.1:1: nobody listens there", lines)
+            self.assertIn("not_connected the daemon does not run: 127.0.0.1:1: the connection failed", lines)
             self.assertTrue(any(line.startswith("again not_connected the daemon does not run") for line in lines))
 
     def test_a_name_without_address_is_reported_in_a_sentence(self):

@@ -32,7 +32,7 @@ function check(step, outcome) {
     assert.ok("value" in outcome, JSON.stringify(outcome));
     if (step.result) assert.deepEqual(outcome.value, step.result);
     else if (step.next_of) assert.deepEqual(outcome.value, step.params);
-    else if (step.notify || step.rumble || step.rumble_again || step.flood) assert.equal(outcome.value, true);
+    else if (step.not_finite || step.notify || step.rumble || step.rumble_again || step.flood) assert.equal(outcome.value, true);
     else if ("reconnected" in step) assert.equal(outcome.value, step.reconnected);
     else if (step.subscriptions_ended) assert.deepEqual(outcome.value, step.subscriptions_ended);
     else if (step.notification) assert.deepEqual(outcome.value, [step.notification, step.params ?? {}]);

@@ -46,6 +46,7 @@ export class Driver {
 
   #action(step) {
     const ball = this.#ball;
+    if (step.not_finite) return this.#refused(ball.call(step.call, { ...step.params, [step.not_finite]: NaN }));
     if (step.call) return ball.call(step.call, step.params);
     if (step.call_again) return this.#again(step.call_again);
     // Not awaited: the response is checked in a later step.
@@ -69,6 +70,14 @@ export class Driver {
     this.#asked = this.#ball.call(method, params);
     this.#asked.catch(() => {});
     return null;
+  }
+
+  /** True: the library itself refuses the parameters. */
+  #refused(called) {
+    return called.then(
+      () => false,
+      (error) => error instanceof TypeError,
+    );
   }
 
   async #answer() {

@@ -50,6 +50,22 @@ test("the first example of the README runs in an empty folder that has the packe
   game.remove();
 });
 
+test("the pages in the package link only to what is in it", () => {
+  const game = installed();
+  const packed = path.join(game.folder, "node_modules", "@hedgehog", "client");
+  const pages = fs.readdirSync(packed).filter((name) => name.endsWith(".md"));
+  assert.deepEqual(pages.sort(), ["README.md", "connection.md"]);
+  let links = 0;
+  for (const page of pages) {
+    for (const [, target] of fs.readFileSync(path.join(packed, page), "utf8").matchAll(/\]\(([^):#]+)(?:#[^)]*)?\)/g)) {
+      assert.ok(fs.existsSync(path.join(packed, target)), `${page}: the link to ${target} leads nowhere`);
+      ++links;
+    }
+  }
+  assert.ok(links > 0);
+  game.remove();
+});
+
 test("a pulse is played and ends", async () => {
   const ball = await Ball.connect({ address, timeoutMs: 60_000 });
   const events = ball.events(["effect_ended"]);

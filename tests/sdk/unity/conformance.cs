@@ -93,7 +93,11 @@ internal static partial class Conformance
 
     private static void Step(Library library, Json step)
     {
-        if (step.Has("call"))
+        if (step.Has("not_finite"))
+        {
+            Check.Throws<ArgumentException>(() => library.Call(step["call"].Text, ParamsOf(step["params"]).Set(step["not_finite"].Text, double.NaN)));
+        }
+        else if (step.Has("call"))
         {
             Json result = Outcome(step, () => library.Call(step["call"].Text, ParamsOf(step["params"])));
             if (step.Has("result")) Check.Equal(step["result"].ToString(), result.ToString(), "the result");

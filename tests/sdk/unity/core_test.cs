@@ -32,6 +32,7 @@ internal static class CoreTest
         well &= Check.Run("the token of the environment is that of the introduction", Token);
         well &= Check.Run("the next of a kind waits no longer for the messages of another", OtherKind);
         well &= Check.Run("a rumble starts at the threshold of perception", Levels);
+        well &= ConnectTest.Run();
         return well ? 0 : 1;
     }
 

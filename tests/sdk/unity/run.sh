@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # run.sh HEDGEHOGD: compiles clients/unity with Mono, runs conformance.json on it, and tests it with the simulated daemon.
-# Exit: 0 passed.
+# HEDGEHOG_SLOW_NAMES: the library of slow_names.cpp. Exit: 0 passed.
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "run.sh HEDGEHOGD" >&2; exit 64; }
@@ -56,12 +56,13 @@ assembly Hedgehog.Samples.Racer Samples~/Racer Hedgehog.Client.dll Hedgehog.Unit
 all=(-r:"$work/bin/Hedgehog.Client.dll" -r:"$work/bin/Hedgehog.Unity.dll" -r:"$work/bin/Hedgehog.Editor.dll"
   -r:"$work/bin/Hedgehog.Samples.Racer.dll" -r:"$work/bin/UnityStub.dll")
 # Compiled with the library's sources, for access to internal members.
-compile -out:"$work/bin/core_test.exe" -r:System.Core.dll "$here/check.cs" "$here/core_test.cs" -recurse:"$package/Runtime/Core/*.cs"
+compile -out:"$work/bin/core_test.exe" -r:System.Core.dll "$here/check.cs" "$here/core_test.cs" "$here/connect_test.cs" \
+  -recurse:"$package/Runtime/Core/*.cs"
 compile -out:"$work/bin/conformance.exe" "${all[@]}" -r:System.Core.dll "$here/check.cs" "$here/conformance.cs" \
   "$here/libraries.cs" "$here/ended_enumeration.cs"
 compile -out:"$work/bin/live.exe" "${all[@]}" "$here/check.cs" "$here/relay.cs" "$here/live.cs" "$here/live_component.cs"
 
-run core_test.exe
+HEDGEHOG_NAMES_KNOWN=$work/known LD_PRELOAD=$HEDGEHOG_SLOW_NAMES run core_test.exe
 run conformance.exe "$here/.."
 
 export HOME=$work XDG_CONFIG_HOME=$work XDG_STATE_HOME=$work XDG_RUNTIME_DIR=$work

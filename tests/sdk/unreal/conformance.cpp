@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the case of conformance.json in HEDGEHOG_CASE on the plugin's core with the plugin's own
 // transport. Prints "passed", or the difference. Exit: 0 passed, 1 not.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
@@ -84,6 +85,10 @@ class Player {
       check(client_.rumble(step["rumble"].text(), step["strength"].number(), step["direction"],
                            params),
             "not sent");
+    } else if (step["not_finite"].is(Json::Kind::kString)) {
+      Json given = params;
+      given.set(step["not_finite"].text(), std::nan(""));
+      check(ask(step["call"].text(), given).failure == Failure::kBadValue, "another failure");
     } else if (step["call_again"].is(Json::Kind::kString)) {
       Answer answer = ask(step["call_again"].text(), params);
       while (answer.failure == Failure::kNotConnected) {

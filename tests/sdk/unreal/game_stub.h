@@ -31,8 +31,13 @@ class AActor {
   using Super = AActor;
   virtual ~AActor() = default;
   virtual void Tick(float) {}
+  /// Once, when the level begins.
+  void DispatchBeginPlay() { BeginPlay(); }
   UGameInstance* GetGameInstance() const { return stub_game_instance; }
 
   FActorTickFunction PrimaryActorTick;
   UGameInstance* stub_game_instance = nullptr;
+
+ protected:
+  virtual void BeginPlay() {}
 };

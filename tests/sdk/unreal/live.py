@@ -49,23 +49,34 @@ class Live(unittest.TestCase):
                 return lines
         self.fail("%r was not printed: %s" % (text, "\n".join(lines)))
 
-    def test_the_quick_start_of_the_readme_is_felt(self):
+    def slots_of_the_quick_start(self, count, members=""):
+        """The slots of its first effects, when so many have been played; None: an effect without a slot."""
         guide = readme.Readme("unreal/README.md")
         address = self.start_daemon().address
+        slots = set()
         with tempfile.TemporaryDirectory() as folder, hedgehog.Ball(address, timeout_s=60) as watcher:
             project = guide.project(folder, "cpp", quick_start.FILES)
+            quick_start.add_members(project, members)
             for command in guide.commands()[1:]:
                 subprocess.run(["bash", "-c", command], cwd=project, check=True)
-            slots = set()
             events = watcher.events(["effect_started"], scope="all", timeout_s=60)
             running = quick_start.start(project, dict(os.environ, HEDGEHOG_ADDRESS=address))
             self.addCleanup(self.stop, running)
             self.addCleanup(limit(running).cancel)
             for event in events:
                 slots.add(event.get("slot"))
-                if len(slots) == 2:
+                if len(slots) == count:
                     break
-        self.assertEqual(slots, {None, "engine"})
+        return slots
+
+    def test_the_quick_start_of_the_readme_is_felt(self):
+        program = readme.Readme("unreal/README.md").program("cpp")
+        self.assertLessEqual(len(program.splitlines()), 10)
+        self.assertEqual(self.slots_of_the_quick_start(1), {None})
+
+    def test_the_members_that_the_readme_adds_rumble_in_each_frame(self):
+        members = readme.Readme("unreal/README.md").program("cpp", 1)
+        self.assertEqual(self.slots_of_the_quick_start(2, members), {None, "engine"})
 
     def test_effects_events_status_and_refusals(self):
         address = self.start_daemon().address

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""The game of the quick start in clients/unreal/README.md: its files, and its program over the stub of the engine."""
+"""The game of the quick start in clients/unreal/README.md: its file, and its program over the stub of the engine."""
 
 import pathlib
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-FILES = ("Source/MyGame/my_car.h", "Source/MyGame/my_car.cpp")
+FILES = ("Source/MyGame/my_car.h",)
+
+
+def add_members(folder, members):
+    """The game's class with more members, as the README adds them."""
+    path = folder / FILES[0]
+    text = path.read_text(encoding="utf-8")
+    assert text.endswith("};\n"), text
+    path.write_text(text[:-len("};\n")] + members + "};\n", encoding="utf-8")
 
 
 def start(folder, environment):

@@ -16,7 +16,7 @@ static func parse(text: String) -> Dictionary:
 	if text.begins_with("unix:") or text.begins_with("/"):
 		return _bad(text, "Godot has no Unix sockets")
 	if text.begins_with("tls://") or text.begins_with("mdns://"):
-		return _bad(text, "the addon has neither TLS nor a search; hedgehogctl tunnel %s makes it 127.0.0.1:7586" % text)
+		return _bad(text, "the addon supports neither TLS nor discovery; hedgehogctl tunnel %s makes it 127.0.0.1:7586" % text)
 	var place = text.substr(4, text.length()) if text.begins_with("tcp:") else text
 	var host = place
 	var rest = ""

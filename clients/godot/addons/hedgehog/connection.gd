@@ -46,7 +46,7 @@ func send(line: String) -> bool:
 	_unsent.append_array(_engine.to_bytes(line + "\n"))
 	_flush()
 	if _unsent.size() > MAX_UNSENT:
-		ended = "the daemon does not read what it is sent"
+		ended = "the daemon does not read from the connection"
 	return ended == ""
 
 
@@ -72,7 +72,7 @@ func receive() -> Array:
 		_flush()
 		_read_available(lines)
 	elif ended == "":
-		ended = "the daemon closed it" if _open else "nobody listens there"
+		ended = "the daemon closed it" if _open else "the connection failed"
 	return lines
 
 

@@ -105,17 +105,17 @@ const PARAMETERS = {
 }
 
 
-## Who is connected, since when, and what they play.
+## The connections, with their start times and effects.
 func connection_list(params: Dictionary = {}):
 	return request("connection.list", params)
 
 
-## Lets the coils be driven again, when the cause of the stop is gone.
+## Arms the ball once the cause of the stop no longer exists.
 func arm(params: Dictionary = {}):
 	return request("device.arm", params)
 
 
-## Only this connection plays until it releases, ends, or is silent.
+## Exclusive use of the ball until release, end of the connection, or expiry of the lease.
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 func claim(params: Dictionary = {}):
 	return request("device.claim", params)
@@ -131,7 +131,7 @@ func emergency_stop(params: Dictionary = {}):
 	return request("device.emergency_stop", params)
 
 
-## The board goes into its boot loader and waits for new firmware; not while it is armed.
+## Restarts the board in its boot loader, for a firmware update; rejected while armed.
 func enter_boot_loader(params: Dictionary = {}):
 	return request("device.enter_boot_loader", params)
 
@@ -141,17 +141,17 @@ func list(params: Dictionary = {}):
 	return request("device.list", params)
 
 
-## Gives a claim back.
+## Releases the claim.
 func release(params: Dictionary = {}):
 	return request("device.release", params)
 
 
-## Everything that can be known of the ball now.
+## State of the ball: temperatures, currents, limits, effects.
 func status(params: Dictionary = {}):
 	return request("device.status", params)
 
 
-## The field walks round an axis, from pin to pin.
+## The field rotates about an axis, from pin to pin.
 ## axis: The axis of the circle
 ## ring_deg: Angle between the axis and the circle; 90 is the equator; 0 to 180
 ## speed_pins_s: Steps a second; a step is the pitch of the pins; 0.1 to 100
@@ -175,8 +175,8 @@ func status(params: Dictionary = {}):
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 ## on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
 ## slot: The connection's own name for an effect
-## priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+## priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+## if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
 func circle(axis = null, params: Dictionary = {}):
 	return request("effect.circle", _with(params, "axis", axis))
 
@@ -201,8 +201,8 @@ func circle(axis = null, params: Dictionary = {}):
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 ## on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
 ## slot: The connection's own name for an effect
-## priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+## priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+## if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
 func hold(direction, params: Dictionary = {}):
 	return request("effect.hold", _with(params, "direction", direction))
 
@@ -236,13 +236,13 @@ func latency(params: Dictionary = {}):
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 ## on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
 ## slot: The connection's own name for an effect
-## priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+## priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+## if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
 func play(pattern = null, params: Dictionary = {}):
 	return request("effect.play", _with(params, "pattern", pattern))
 
 
-## What an effect would do, without doing it.
+## Computes currents and temperatures of an effect without starting it.
 ## method: A method that plays; effect.pulse, effect.circle, effect.vibrate, effect.hold, effect.play
 ## params: The parameters of that method
 func preview(params: Dictionary = {}):
@@ -269,8 +269,8 @@ func preview(params: Dictionary = {}):
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 ## on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
 ## slot: The connection's own name for an effect
-## priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+## priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+## if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
 func pulse(direction, params: Dictionary = {}):
 	return request("effect.pulse", _with(params, "direction", direction))
 
@@ -282,7 +282,7 @@ func stop(params: Dictionary = {}):
 	return request("effect.stop", params)
 
 
-## Ends all effects of the connection, or of everybody.
+## Ends all effects of the connection, or of all connections.
 ## scope: "all" for effects of others too; mine, all
 func stop_all(params: Dictionary = {}):
 	return request("effect.stop_all", params)
@@ -319,8 +319,8 @@ func stop_all(params: Dictionary = {}):
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 ## on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
 ## slot: The connection's own name for an effect
-## priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+## priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+## if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
 func update(params: Dictionary = {}):
 	return request("effect.update", params)
 
@@ -345,13 +345,13 @@ func update(params: Dictionary = {}):
 ## lease_ms: Ends after it unless renewed; 100 to 10000
 ## on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
 ## slot: The connection's own name for an effect
-## priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
-## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
+## priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+## if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
 func vibrate(direction = null, params: Dictionary = {}):
 	return request("effect.vibrate", _with(params, "direction", direction))
 
 
-## What has happened, also before the last start.
+## Past events, including those before the last start.
 ## since: Not before this time, RFC 3339
 ## types: Names of events; default all
 ## trips
@@ -360,19 +360,19 @@ func events_history(params: Dictionary = {}):
 	return request("events.history", params)
 
 
-## The front of the ball points at this azimuth now.
+## Sets the azimuth of the ball's front.
 ## azimuth_deg: Anticlockwise seen from above; -360 to 360
 func orientation_recenter(params: Dictionary = {}):
 	return request("orientation.recenter", params)
 
 
-## Feeds the orientation from outside.
+## Sets the orientation measured by an external sensor.
 ## quaternion: Device to world, of length 1
 func orientation_set(params: Dictionary = {}):
 	return request("orientation.set", params)
 
 
-## The owner's comfort setting for everything, stored.
+## Gain applied to all effects; persistent.
 ## gain: Multiplies the strength; 0 to 1
 func output_set_gain(params: Dictionary = {}):
 	return request("output.set_gain", params)
@@ -384,12 +384,12 @@ func pattern_get(params: Dictionary = {}):
 	return request("pattern.get", params)
 
 
-## The named patterns there are.
+## Lists the named patterns.
 func pattern_list(params: Dictionary = {}):
 	return request("pattern.list", params)
 
 
-## Keeps a pattern under vendor/name.
+## Stores a pattern under vendor/name.
 ## name: Of a pattern: vendor/name, or that of a shipped one
 ## keyframes: Where and how strongly, at points in time; t_ms never falls
 ## description: One sentence for whoever chooses a pattern
@@ -400,7 +400,7 @@ func pattern_put(params: Dictionary = {}):
 	return request("pattern.put", params)
 
 
-## Forgets a pattern that was put.
+## Removes a stored pattern.
 ## name: Of a pattern: vendor/name, or that of a shipped one
 func pattern_remove(params: Dictionary = {}):
 	return request("pattern.remove", params)
@@ -411,16 +411,16 @@ func ping(params: Dictionary = {}):
 	return request("ping", params)
 
 
-## Changes the simulated world.
+## Sets orientation, ambient temperature and faults of the simulation.
 ## orientation: Device to world, of length 1
 ## ambient_c: Temperature of the simulated room; -20 to 60
-## fault: Replaces all simulated faults; {} mends the ball
+## fault: Replaces all simulated faults; {} clears them
 ## errors: Replaces all errors of measurement and of the ball; [] ends them
 func sim_set(params: Dictionary = {}):
 	return request("sim.set", params)
 
 
-## The simulated ball as it really is.
+## True state of the simulated ball.
 func sim_truth(params: Dictionary = {}):
 	return request("sim.truth", params)
 

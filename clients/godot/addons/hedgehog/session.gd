@@ -117,7 +117,7 @@ func _check_deadlines() -> void:
 func _receive(line: String) -> void:
 	var message = _engine.from_text(line)
 	if not message is Dictionary:
-		ended = "what answers is no Hedgehog daemon"
+		ended = "the server is not a Hedgehog daemon"
 		return
 	notice = message.error if message.get("id") == null and message.get("error") is Dictionary else {}
 	if message.has("method"):
@@ -149,4 +149,4 @@ func _take_introduction(message: Dictionary) -> void:
 	elif message.get("result") is Dictionary and message.result.get("limits") is Dictionary:
 		hello = message.result
 	else:
-		ended = "what answers is no Hedgehog daemon"
+		ended = "the server is not a Hedgehog daemon"

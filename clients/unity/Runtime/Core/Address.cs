@@ -41,7 +41,7 @@ namespace Hedgehog
                 return new Address(null, 0, path);
             }
             if (text.StartsWith("tls://", StringComparison.Ordinal) || text.StartsWith("mdns://", StringComparison.Ordinal))
-                throw Bad(text, "this library has neither TLS nor a search; hedgehogctl tunnel " + text + " makes it 127.0.0.1:7586");
+                throw Bad(text, "this library supports neither TLS nor discovery; hedgehogctl tunnel " + text + " makes it 127.0.0.1:7586");
             string place = text.StartsWith("tcp:", StringComparison.Ordinal) ? text.Substring(4) : text;
             string host = place;
             string rest = "";

@@ -22,7 +22,6 @@ namespace Hedgehog
         private readonly Params introduction;
         private readonly int timeoutMs;
         private readonly Backoff backoff = new Backoff();
-        private readonly Stopwatch clock = Stopwatch.StartNew();
         private readonly Dictionary<long, Pending> pending = new Dictionary<long, Pending>();
         private readonly Subscriptions subscriptions = new Subscriptions();
         /// What was asked for again on this connection.
@@ -34,6 +33,10 @@ namespace Hedgehog
         private long lastId;
         private bool closed;
         private bool welcomed;
+
+        /// <summary>In seconds; tests have another clock and other connections. Not while this ball connects.</summary>
+        internal Func<double> Now = SecondsOf(Stopwatch.StartNew());
+        internal Func<Address, int, Wire> OpenWire = Wire.Connect;
 
         /// <summary>After each connection but the first, on a thread of the library.</summary>
         public event Action<Results.Hello> Reconnected;
@@ -68,7 +71,7 @@ namespace Hedgehog
         /// <summary>How long no other attempt to connect is made; 0: the next call makes one.</summary>
         public double RetryAfterS
         {
-            get { lock (gate) return backoff.RemainingS(clock.Elapsed.TotalSeconds); }
+            get { lock (gate) return backoff.RemainingS(Now()); }
         }
 
         /// <summary>Connects, unless it is connected.</summary>
@@ -79,7 +82,7 @@ namespace Hedgehog
                 if (closed) return Failed<Results.Hello>(new NotConnected("this ball is closed"));
                 if (welcome != null) return Task.FromResult(welcome);
                 if (opening != null) return opening.Task;
-                double waitS = backoff.RemainingS(clock.Elapsed.TotalSeconds);
+                double waitS = backoff.RemainingS(Now());
                 if (waitS > 0.0)
                     return Failed<Results.Hello>(new NotConnected("the daemon does not run; next attempt in " +
                         waitS.ToString("0.0", CultureInfo.InvariantCulture) + " s", waitS));
@@ -111,7 +114,7 @@ namespace Hedgehog
                         subscriptions.CarriedOut(subscriptions.Sent(method, parameters));
                         return true;
                     }
-                    End("the daemon does not read what it is sent");
+                    End("the daemon does not read from the connection");
                     return false;
                 }
             }
@@ -148,7 +151,7 @@ namespace Hedgehog
         /// Throws NotConnected, and SubscriptionEnded when that kind has ended and nothing is left of it.</summary>
         internal bool Next(out Notification notification, double timeoutS, string kind = null)
         {
-            double untilS = clock.Elapsed.TotalSeconds + timeoutS;
+            double untilS = Now() + timeoutS;
             string method = kind == "events" ? "event" : kind;
             lock (gate)
             {
@@ -159,7 +162,7 @@ namespace Hedgehog
                     SubscriptionEnded ended = subscriptions.EndOf(kind);
                     if (ended != null) throw ended;
                     if (wire == null) throw new NotConnected("the connection to the daemon has ended");
-                    double leftS = untilS - clock.Elapsed.TotalSeconds;
+                    double leftS = untilS - Now();
                     if (leftS <= 0.0) return false;
                     Monitor.Wait(gate, (int)Math.Ceiling(1000.0 * Math.Min(leftS, 60.0)));
                 }
@@ -187,6 +190,11 @@ namespace Hedgehog
 
         private Task<Json> Ask(string method, Params parameters)
         {
+            return Ask(method, parameters, timeoutMs);
+        }
+
+        private Task<Json> Ask(string method, Params parameters, int withinMs)
+        {
             lock (gate)
             {
                 if (wire == null) return Failed<Json>(new NotConnected("the connection to the daemon has ended"));
@@ -194,9 +202,9 @@ namespace Hedgehog
                 byte[] line = Exchange.Line(id, method, parameters);
                 Wire of = wire;
                 string late = method + ": no response within " + (0.001 * timeoutMs).ToString(CultureInfo.InvariantCulture) + " s";
-                var asked = new Pending(subscriptions.Sent(method, parameters), timeoutMs, () => EndOf(of, late));
+                var asked = new Pending(subscriptions.Sent(method, parameters), withinMs, () => EndOf(of, late));
                 pending.Add(id, asked);
-                if (!wire.Send(line)) End("the daemon does not read what it is sent");
+                if (!wire.Send(line)) End("the daemon does not read from the connection");
                 return asked.Response;
             }
         }
@@ -204,22 +212,24 @@ namespace Hedgehog
         /// The thread that connects and then reads until the connection ends.
         private void Run()
         {
-            Wire opened = Connect();
+            // One for all addresses and the introduction.
+            var deadline = new Deadline(Now, timeoutMs);
+            Wire opened = Connect(deadline);
             if (opened == null) return;
             lock (gate)
             {
                 wire = opened;
                 if (closed) End("this ball is closed");
-                else Introduce(opened);
+                else Introduce(opened, deadline.ShareMs());
             }
             var notice = new Notice();
             string why = Read(opened, notice);
             EndOf(opened, why, notice.RetryAfterS);
         }
 
-        private void Introduce(Wire to)
+        private void Introduce(Wire to, int withinMs)
         {
-            Ask("hello", introduction).ContinueWith(answered =>
+            Ask("hello", introduction, withinMs).ContinueWith(answered =>
             {
                 Results.Hello again;
                 lock (gate)
@@ -253,21 +263,22 @@ namespace Hedgehog
         }
 
         /// null: nobody is there, and everybody has been told.
-        private Wire Connect()
+        private Wire Connect(Deadline deadline)
         {
             var why = new List<string>();
             foreach (var address in addresses)
             {
                 try
                 {
-                    return Wire.Connect(address, timeoutMs);
+                    return OpenWire(address, deadline.ShareMs(addresses.Count - why.Count));
                 }
                 catch (SocketException error)
                 {
                     why.Add(address + ": " + Words(error));
                 }
-                catch (ArgumentException error)
+                catch (Exception error)
                 {
+                    // Whatever it is: nobody else catches it on this thread, and it would end the game.
                     why.Add(address + ": " + error.Message);
                 }
             }
@@ -299,7 +310,7 @@ namespace Hedgehog
             }
             catch (FormatException error)
             {
-                return "what answers is no Hedgehog daemon: " + error.Message;
+                return "the server is not a Hedgehog daemon: " + error.Message;
             }
         }
 
@@ -358,7 +369,7 @@ namespace Hedgehog
                 if (wire != null) wire.Close(false);
                 wire = null;
                 welcome = null;
-                double nowS = clock.Elapsed.TotalSeconds;
+                double nowS = Now();
                 backoff.Failed(nowS, retryAfterS);
                 var lost = new NotConnected(before + why, backoff.RemainingS(nowS));
                 foreach (var asked in pending.Values) asked.Fail(lost);
@@ -368,6 +379,11 @@ namespace Hedgehog
                 opening = null;
                 Monitor.PulseAll(gate);
             }
+        }
+
+        private static Func<double> SecondsOf(Stopwatch clock)
+        {
+            return () => clock.Elapsed.TotalSeconds;
         }
 
         private static string Words(SocketException error)

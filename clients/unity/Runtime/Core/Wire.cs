@@ -28,20 +28,24 @@ namespace Hedgehog
             writer.Start();
         }
 
-        /// <summary>Waits. Throws SocketException, or ArgumentException for a path that is too long.</summary>
+        /// <summary>Waits, altogether no longer than that. Throws SocketException, or ArgumentException for a path that is too long.</summary>
         public static Wire Connect(Address address, int timeoutMs)
         {
             if (address.Path != null) return new Wire(Open(new UnixEndPoint(address.Path), timeoutMs));
-            IPAddress literal;
-            IPAddress[] found = IPAddress.TryParse(address.Host, out literal)
-                ? new[] { literal }
-                : Dns.GetHostAddresses(address.Host);
+            Deadline deadline = Deadline.After(timeoutMs);
+            IPAddress[] found = Find(address.Host, deadline);
+            return new Wire(First(found, deadline, (one, ms) => Open(new IPEndPoint(one, address.Port), ms)));
+        }
+
+        /// <summary>Of the addresses of a name the first that answers. open: with a time limit in ms.</summary>
+        internal static Socket First(IPAddress[] found, Deadline deadline, Func<IPAddress, int, Socket> open)
+        {
             SocketException last = new SocketException((int)SocketError.HostNotFound);
-            foreach (var one in found)
+            for (int i = 0; i < found.Length; ++i)
             {
                 try
                 {
-                    return new Wire(Open(new IPEndPoint(one, address.Port), timeoutMs));
+                    return open(found[i], deadline.ShareMs(found.Length - i));
                 }
                 catch (SocketException error)
                 {
@@ -131,6 +135,16 @@ namespace Hedgehog
                 while (queue.Count == 0 && !closing) Monitor.Wait(gate);
                 return queue.Count > 0 ? queue.Dequeue() : null;
             }
+        }
+
+        /// A name server that does not answer has another thread wait.
+        private static IPAddress[] Find(string host, Deadline deadline)
+        {
+            IPAddress literal;
+            if (IPAddress.TryParse(host, out literal)) return new[] { literal };
+            IAsyncResult looking = Dns.BeginGetHostAddresses(host, null, null);
+            if (!looking.AsyncWaitHandle.WaitOne(deadline.ShareMs())) throw new SocketException((int)SocketError.TimedOut);
+            return Dns.EndGetHostAddresses(looking);
         }
 
         private static Socket Open(EndPoint place, int timeoutMs)

@@ -15,9 +15,11 @@ int main() {
   UGameInstance instance(ball);
   AMyCar car;
   car.stub_game_instance = &instance;
+  AActor& actor = car;
+  actor.DispatchBeginPlay();
   for (;;) {
     ball->Tick(0.016f);
-    if (car.PrimaryActorTick.bCanEverTick) car.Tick(0.016f);
+    if (actor.PrimaryActorTick.bCanEverTick) actor.Tick(0.016f);
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
 }

@@ -10,19 +10,19 @@ namespace Hedgehog
     {
         public abstract Json Call(string method, Params parameters = null);
 
-        /// <summary>Who is connected, since when, and what they play.</summary>
+        /// <summary>The connections, with their start times and effects.</summary>
         public Results.Connections ConnectionList()
         {
             return new Results.Connections(Call("connection.list"));
         }
 
-        /// <summary>Lets the coils be driven again, when the cause of the stop is gone.</summary>
+        /// <summary>Arms the ball once the cause of the stop no longer exists.</summary>
         public Results.State Arm()
         {
             return new Results.State(Call("device.arm"));
         }
 
-        /// <summary>Only this connection plays until it releases, ends, or is silent.</summary>
+        /// <summary>Exclusive use of the ball until release, end of the connection, or expiry of the lease.</summary>
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         public Results.Claim Claim(double? leaseMs = null)
         {
@@ -42,7 +42,7 @@ namespace Hedgehog
             return new Results.State(Call("device.emergency_stop"));
         }
 
-        /// <summary>The board goes into its boot loader and waits for new firmware; not while it is armed.</summary>
+        /// <summary>Restarts the board in its boot loader, for a firmware update; rejected while armed.</summary>
         public Results.State EnterBootLoader()
         {
             return new Results.State(Call("device.enter_boot_loader"));
@@ -54,19 +54,19 @@ namespace Hedgehog
             return new Results.Devices(Call("device.list"));
         }
 
-        /// <summary>Gives a claim back.</summary>
+        /// <summary>Releases the claim.</summary>
         public Results.Done Release()
         {
             return new Results.Done(Call("device.release"));
         }
 
-        /// <summary>Everything that can be known of the ball now.</summary>
+        /// <summary>State of the ball: temperatures, currents, limits, effects.</summary>
         public Results.Status Status()
         {
             return new Results.Status(Call("device.status"));
         }
 
-        /// <summary>The field walks round an axis, from pin to pin.</summary>
+        /// <summary>The field rotates about an axis, from pin to pin.</summary>
         /// <param name="axis">The axis of the circle</param>
         /// <param name="ringDeg">Angle between the axis and the circle; 90 is the equator; 0 to 180</param>
         /// <param name="speedPinsS">Steps a second; a step is the pitch of the pins; 0.1 to 100</param>
@@ -90,8 +90,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public Results.Admission Circle(Direction axis = null, double? ringDeg = null, double? speedPinsS = null, Sense? sense = null, Stepping? stepping = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(Call("effect.circle", new Params()
@@ -142,8 +142,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public Results.Admission Hold(Direction direction, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(Call("effect.hold", new Params()
@@ -200,8 +200,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public Results.Admission Play(string pattern = null, Params[] keyframes = null, Direction rotateTo = null, double? rate = null, bool? loop = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(Call("effect.play", new Params()
@@ -232,7 +232,7 @@ namespace Hedgehog
                 .Set("if_limited", Words.Of(ifLimited))));
         }
 
-        /// <summary>What an effect would do, without doing it.</summary>
+        /// <summary>Computes currents and temperatures of an effect without starting it.</summary>
         /// <param name="method">A method that plays</param>
         /// <param name="params">The parameters of that method</param>
         public Results.Preview Preview(Method method, Params @params)
@@ -262,8 +262,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public Results.Admission Pulse(Direction direction, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(Call("effect.pulse", new Params()
@@ -300,7 +300,7 @@ namespace Hedgehog
                 .Set("slot", slot)));
         }
 
-        /// <summary>Ends all effects of the connection, or of everybody.</summary>
+        /// <summary>Ends all effects of the connection, or of all connections.</summary>
         /// <param name="scope">"all" for effects of others too</param>
         public Results.Stopped StopAll(Scope? scope = null)
         {
@@ -339,8 +339,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public Results.Admission Update(long? effect = null, Direction direction = null, string pattern = null, Params[] keyframes = null, Direction rotateTo = null, double? rate = null, bool? loop = null, Direction axis = null, double? ringDeg = null, double? speedPinsS = null, Sense? sense = null, Stepping? stepping = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(Call("effect.update", new Params()
@@ -398,8 +398,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public Results.Admission Vibrate(Direction direction = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(Call("effect.vibrate", new Params()
@@ -426,7 +426,7 @@ namespace Hedgehog
                 .Set("if_limited", Words.Of(ifLimited))));
         }
 
-        /// <summary>What has happened, also before the last start.</summary>
+        /// <summary>Past events, including those before the last start.</summary>
         /// <param name="since">Not before this time, RFC 3339</param>
         /// <param name="types">Names of events; default all</param>
         /// <param name="trips">See protocol/README.md</param>
@@ -440,7 +440,7 @@ namespace Hedgehog
                 .Set("limit", limit)));
         }
 
-        /// <summary>Asks for notifications of what happens.</summary>
+        /// <summary>Subscribes to notifications of events.</summary>
         /// <param name="types">Names of events; default all</param>
         /// <param name="scope">"all" for effects of others too</param>
         public Results.EventsSubscription EventsSubscribe(string[] types = null, Scope? scope = null)
@@ -456,7 +456,7 @@ namespace Hedgehog
             return new Results.Done(Call("events.unsubscribe"));
         }
 
-        /// <summary>The front of the ball points at this azimuth now.</summary>
+        /// <summary>Sets the azimuth of the ball's front.</summary>
         /// <param name="azimuthDeg">Anticlockwise seen from above; -360 to 360</param>
         public Results.Recentered OrientationRecenter(double? azimuthDeg = null)
         {
@@ -464,7 +464,7 @@ namespace Hedgehog
                 .Set("azimuth_deg", azimuthDeg)));
         }
 
-        /// <summary>Feeds the orientation from outside.</summary>
+        /// <summary>Sets the orientation measured by an external sensor.</summary>
         /// <param name="quaternion">Device to world, of length 1</param>
         public Results.Done OrientationSet(Params quaternion)
         {
@@ -472,7 +472,7 @@ namespace Hedgehog
                 .Set("quaternion", quaternion)));
         }
 
-        /// <summary>The owner's comfort setting for everything, stored.</summary>
+        /// <summary>Gain applied to all effects; persistent.</summary>
         /// <param name="gain">Multiplies the strength; 0 to 1</param>
         public Results.Gain OutputSetGain(double gain)
         {
@@ -488,13 +488,13 @@ namespace Hedgehog
                 .Set("name", name)));
         }
 
-        /// <summary>The named patterns there are.</summary>
+        /// <summary>Lists the named patterns.</summary>
         public Results.Patterns PatternList()
         {
             return new Results.Patterns(Call("pattern.list"));
         }
 
-        /// <summary>Keeps a pattern under vendor/name.</summary>
+        /// <summary>Stores a pattern under vendor/name.</summary>
         /// <param name="name">Of a pattern: vendor/name, or that of a shipped one</param>
         /// <param name="keyframes">Where and how strongly, at points in time; t_ms never falls</param>
         /// <param name="description">One sentence for whoever chooses a pattern</param>
@@ -512,7 +512,7 @@ namespace Hedgehog
                 .Set("on_fraction", onFraction)));
         }
 
-        /// <summary>Forgets a pattern that was put.</summary>
+        /// <summary>Removes a stored pattern.</summary>
         /// <param name="name">Of a pattern: vendor/name, or that of a shipped one</param>
         public Results.Done PatternRemove(string name)
         {
@@ -526,10 +526,10 @@ namespace Hedgehog
             return new Results.Ping(Call("ping"));
         }
 
-        /// <summary>Changes the simulated world.</summary>
+        /// <summary>Sets orientation, ambient temperature and faults of the simulation.</summary>
         /// <param name="orientation">Device to world, of length 1</param>
         /// <param name="ambientC">Temperature of the simulated room; -20 to 60</param>
-        /// <param name="fault">Replaces all simulated faults; {} mends the ball</param>
+        /// <param name="fault">Replaces all simulated faults; {} clears them</param>
         /// <param name="errors">Replaces all errors of measurement and of the ball; [] ends them</param>
         public Results.SimulatedWorld SimSet(Params orientation = null, double? ambientC = null, Params fault = null, Params[] errors = null)
         {
@@ -540,7 +540,7 @@ namespace Hedgehog
                 .Set("errors", errors)));
         }
 
-        /// <summary>The simulated ball as it really is.</summary>
+        /// <summary>True state of the simulated ball.</summary>
         public Results.SimulatedTruth SimTruth()
         {
             return new Results.SimulatedTruth(Call("sim.truth"));
@@ -554,7 +554,7 @@ namespace Hedgehog
                 .Set("seconds", seconds)));
         }
 
-        /// <summary>Asks for the status again and again.</summary>
+        /// <summary>Subscribes to periodic notifications of the status.</summary>
         /// <param name="rateHz">0.1 to 200</param>
         /// <param name="fields">Keys of the status object; default all but pins</param>
         public Results.TelemetrySubscription TelemetrySubscribe(double? rateHz = null, string[] fields = null)
@@ -592,19 +592,19 @@ namespace Hedgehog
     {
         public abstract Task<Json> Call(string method, Params parameters = null);
 
-        /// <summary>Who is connected, since when, and what they play.</summary>
+        /// <summary>The connections, with their start times and effects.</summary>
         public async Task<Results.Connections> ConnectionList()
         {
             return new Results.Connections(await Call("connection.list").ConfigureAwait(false));
         }
 
-        /// <summary>Lets the coils be driven again, when the cause of the stop is gone.</summary>
+        /// <summary>Arms the ball once the cause of the stop no longer exists.</summary>
         public async Task<Results.State> Arm()
         {
             return new Results.State(await Call("device.arm").ConfigureAwait(false));
         }
 
-        /// <summary>Only this connection plays until it releases, ends, or is silent.</summary>
+        /// <summary>Exclusive use of the ball until release, end of the connection, or expiry of the lease.</summary>
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         public async Task<Results.Claim> Claim(double? leaseMs = null)
         {
@@ -624,7 +624,7 @@ namespace Hedgehog
             return new Results.State(await Call("device.emergency_stop").ConfigureAwait(false));
         }
 
-        /// <summary>The board goes into its boot loader and waits for new firmware; not while it is armed.</summary>
+        /// <summary>Restarts the board in its boot loader, for a firmware update; rejected while armed.</summary>
         public async Task<Results.State> EnterBootLoader()
         {
             return new Results.State(await Call("device.enter_boot_loader").ConfigureAwait(false));
@@ -636,19 +636,19 @@ namespace Hedgehog
             return new Results.Devices(await Call("device.list").ConfigureAwait(false));
         }
 
-        /// <summary>Gives a claim back.</summary>
+        /// <summary>Releases the claim.</summary>
         public async Task<Results.Done> Release()
         {
             return new Results.Done(await Call("device.release").ConfigureAwait(false));
         }
 
-        /// <summary>Everything that can be known of the ball now.</summary>
+        /// <summary>State of the ball: temperatures, currents, limits, effects.</summary>
         public async Task<Results.Status> Status()
         {
             return new Results.Status(await Call("device.status").ConfigureAwait(false));
         }
 
-        /// <summary>The field walks round an axis, from pin to pin.</summary>
+        /// <summary>The field rotates about an axis, from pin to pin.</summary>
         /// <param name="axis">The axis of the circle</param>
         /// <param name="ringDeg">Angle between the axis and the circle; 90 is the equator; 0 to 180</param>
         /// <param name="speedPinsS">Steps a second; a step is the pitch of the pins; 0.1 to 100</param>
@@ -672,8 +672,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public async Task<Results.Admission> Circle(Direction axis = null, double? ringDeg = null, double? speedPinsS = null, Sense? sense = null, Stepping? stepping = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(await Call("effect.circle", new Params()
@@ -724,8 +724,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public async Task<Results.Admission> Hold(Direction direction, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(await Call("effect.hold", new Params()
@@ -782,8 +782,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public async Task<Results.Admission> Play(string pattern = null, Params[] keyframes = null, Direction rotateTo = null, double? rate = null, bool? loop = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(await Call("effect.play", new Params()
@@ -814,7 +814,7 @@ namespace Hedgehog
                 .Set("if_limited", Words.Of(ifLimited))).ConfigureAwait(false));
         }
 
-        /// <summary>What an effect would do, without doing it.</summary>
+        /// <summary>Computes currents and temperatures of an effect without starting it.</summary>
         /// <param name="method">A method that plays</param>
         /// <param name="params">The parameters of that method</param>
         public async Task<Results.Preview> Preview(Method method, Params @params)
@@ -844,8 +844,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public async Task<Results.Admission> Pulse(Direction direction, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(await Call("effect.pulse", new Params()
@@ -882,7 +882,7 @@ namespace Hedgehog
                 .Set("slot", slot)).ConfigureAwait(false));
         }
 
-        /// <summary>Ends all effects of the connection, or of everybody.</summary>
+        /// <summary>Ends all effects of the connection, or of all connections.</summary>
         /// <param name="scope">"all" for effects of others too</param>
         public async Task<Results.Stopped> StopAll(Scope? scope = null)
         {
@@ -921,8 +921,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public async Task<Results.Admission> Update(long? effect = null, Direction direction = null, string pattern = null, Params[] keyframes = null, Direction rotateTo = null, double? rate = null, bool? loop = null, Direction axis = null, double? ringDeg = null, double? speedPinsS = null, Sense? sense = null, Stepping? stepping = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(await Call("effect.update", new Params()
@@ -980,8 +980,8 @@ namespace Hedgehog
         /// <param name="leaseMs">Ends after it unless renewed; 100 to 10000</param>
         /// <param name="onClose">"finish" lets an effect of up to 2000 ms play out after the connection ended</param>
         /// <param name="slot">The connection's own name for an effect</param>
-        /// <param name="priority">Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9</param>
-        /// <param name="ifLimited">"refuse": an error instead of less than what was asked</param>
+        /// <param name="priority">Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9</param>
+        /// <param name="ifLimited">"refuse": an error instead of a reduced effect</param>
         public async Task<Results.Admission> Vibrate(Direction direction = null, Frame? frame = null, double? level = null, double? currentA = null, double? forceN = null, double? gain = null, long? startAtNs = null, double? delayMs = null, double? attackMs = null, double? fadeMs = null, double? attackLevel = null, double? fadeLevel = null, Waveform? waveform = null, double? frequencyHz = null, double? onFraction = null, double? durationMs = null, double? leaseMs = null, OnClose? onClose = null, string slot = null, long? priority = null, IfLimited? ifLimited = null)
         {
             return new Results.Admission(await Call("effect.vibrate", new Params()
@@ -1008,7 +1008,7 @@ namespace Hedgehog
                 .Set("if_limited", Words.Of(ifLimited))).ConfigureAwait(false));
         }
 
-        /// <summary>What has happened, also before the last start.</summary>
+        /// <summary>Past events, including those before the last start.</summary>
         /// <param name="since">Not before this time, RFC 3339</param>
         /// <param name="types">Names of events; default all</param>
         /// <param name="trips">See protocol/README.md</param>
@@ -1022,7 +1022,7 @@ namespace Hedgehog
                 .Set("limit", limit)).ConfigureAwait(false));
         }
 
-        /// <summary>Asks for notifications of what happens.</summary>
+        /// <summary>Subscribes to notifications of events.</summary>
         /// <param name="types">Names of events; default all</param>
         /// <param name="scope">"all" for effects of others too</param>
         public async Task<Results.EventsSubscription> EventsSubscribe(string[] types = null, Scope? scope = null)
@@ -1038,7 +1038,7 @@ namespace Hedgehog
             return new Results.Done(await Call("events.unsubscribe").ConfigureAwait(false));
         }
 
-        /// <summary>The front of the ball points at this azimuth now.</summary>
+        /// <summary>Sets the azimuth of the ball's front.</summary>
         /// <param name="azimuthDeg">Anticlockwise seen from above; -360 to 360</param>
         public async Task<Results.Recentered> OrientationRecenter(double? azimuthDeg = null)
         {
@@ -1046,7 +1046,7 @@ namespace Hedgehog
                 .Set("azimuth_deg", azimuthDeg)).ConfigureAwait(false));
         }
 
-        /// <summary>Feeds the orientation from outside.</summary>
+        /// <summary>Sets the orientation measured by an external sensor.</summary>
         /// <param name="quaternion">Device to world, of length 1</param>
         public async Task<Results.Done> OrientationSet(Params quaternion)
         {
@@ -1054,7 +1054,7 @@ namespace Hedgehog
                 .Set("quaternion", quaternion)).ConfigureAwait(false));
         }
 
-        /// <summary>The owner's comfort setting for everything, stored.</summary>
+        /// <summary>Gain applied to all effects; persistent.</summary>
         /// <param name="gain">Multiplies the strength; 0 to 1</param>
         public async Task<Results.Gain> OutputSetGain(double gain)
         {
@@ -1070,13 +1070,13 @@ namespace Hedgehog
                 .Set("name", name)).ConfigureAwait(false));
         }
 
-        /// <summary>The named patterns there are.</summary>
+        /// <summary>Lists the named patterns.</summary>
         public async Task<Results.Patterns> PatternList()
         {
             return new Results.Patterns(await Call("pattern.list").ConfigureAwait(false));
         }
 
-        /// <summary>Keeps a pattern under vendor/name.</summary>
+        /// <summary>Stores a pattern under vendor/name.</summary>
         /// <param name="name">Of a pattern: vendor/name, or that of a shipped one</param>
         /// <param name="keyframes">Where and how strongly, at points in time; t_ms never falls</param>
         /// <param name="description">One sentence for whoever chooses a pattern</param>
@@ -1094,7 +1094,7 @@ namespace Hedgehog
                 .Set("on_fraction", onFraction)).ConfigureAwait(false));
         }
 
-        /// <summary>Forgets a pattern that was put.</summary>
+        /// <summary>Removes a stored pattern.</summary>
         /// <param name="name">Of a pattern: vendor/name, or that of a shipped one</param>
         public async Task<Results.Done> PatternRemove(string name)
         {
@@ -1108,10 +1108,10 @@ namespace Hedgehog
             return new Results.Ping(await Call("ping").ConfigureAwait(false));
         }
 
-        /// <summary>Changes the simulated world.</summary>
+        /// <summary>Sets orientation, ambient temperature and faults of the simulation.</summary>
         /// <param name="orientation">Device to world, of length 1</param>
         /// <param name="ambientC">Temperature of the simulated room; -20 to 60</param>
-        /// <param name="fault">Replaces all simulated faults; {} mends the ball</param>
+        /// <param name="fault">Replaces all simulated faults; {} clears them</param>
         /// <param name="errors">Replaces all errors of measurement and of the ball; [] ends them</param>
         public async Task<Results.SimulatedWorld> SimSet(Params orientation = null, double? ambientC = null, Params fault = null, Params[] errors = null)
         {
@@ -1122,7 +1122,7 @@ namespace Hedgehog
                 .Set("errors", errors)).ConfigureAwait(false));
         }
 
-        /// <summary>The simulated ball as it really is.</summary>
+        /// <summary>True state of the simulated ball.</summary>
         public async Task<Results.SimulatedTruth> SimTruth()
         {
             return new Results.SimulatedTruth(await Call("sim.truth").ConfigureAwait(false));
@@ -1136,7 +1136,7 @@ namespace Hedgehog
                 .Set("seconds", seconds)).ConfigureAwait(false));
         }
 
-        /// <summary>Asks for the status again and again.</summary>
+        /// <summary>Subscribes to periodic notifications of the status.</summary>
         /// <param name="rateHz">0.1 to 200</param>
         /// <param name="fields">Keys of the status object; default all but pins</param>
         public async Task<Results.TelemetrySubscription> TelemetrySubscribe(double? rateHz = null, string[] fields = null)

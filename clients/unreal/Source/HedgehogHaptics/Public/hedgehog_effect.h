@@ -116,12 +116,12 @@ struct HEDGEHOGHAPTICS_API FHedgehogEffect {
   UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Hedgehog")
   FString Slot;
 
-  /// Only the highest active one is felt; 8 and 9 need the role operate.
+  /// Only effects of the highest active priority are output; 8 and 9 need the role operate.
   /// 0 to 9; -1: not given.
   UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Hedgehog", meta = (ClampMin = "-1", ClampMax = "9"))
   int32 Priority = -1;
 
-  /// "refuse": an error instead of less than what was asked.
+  /// "refuse": an error instead of a reduced effect.
   UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Hedgehog")
   EHedgehogIfLimited IfLimited = EHedgehogIfLimited::Default;
 };

@@ -19,15 +19,15 @@ enum class EHedgehogError : uint8 {
   MethodNotFound,
   /// A parameter is unknown, missing, of the wrong type, out of range, or at odds with another.
   InvalidParams,
-  /// A bug, or the disk: what was asked is done, but not on disk.
+  /// A bug; or the request was applied, but not written to disk.
   InternalError,
   /// Nothing can be played: state, reason and remedy say why.
   NotArmed,
-  /// Something is full or stopping; nothing was changed.
+  /// A queue or pool is full, or the daemon is stopping; nothing was changed.
   Busy,
-  /// It has ended, or is somebody else's.
+  /// The effect has ended, or belongs to another connection.
   NoSuchEffect,
-  /// The token is not known.
+  /// The token is unknown or revoked.
   Unauthorized,
   /// It needs role_needed.
   Forbidden,
@@ -35,11 +35,11 @@ enum class EHedgehogError : uint8 {
   DeviceAbsent,
   /// Not by this server, not in this configuration.
   Unsupported,
-  /// Heat would make it less than asked, and if_limited is refuse.
+  /// The thermal limit would reduce the effect, and if_limited is refuse.
   RefusedThermal,
   /// There is no pattern of that name.
   NoSuchPattern,
-  /// Another client has the ball for itself, or feeds its orientation.
+  /// Another client has exclusive use of the ball, or sets its orientation.
   Claimed,
   /// It is refused while the ball is armed.
   Armed,

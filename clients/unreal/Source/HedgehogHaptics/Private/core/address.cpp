@@ -29,9 +29,9 @@ unsigned port_of(std::string_view text) {
 
 Address parse_address(std::string_view text) {
   if (text.substr(0, 5) == "unix:" || text.substr(0, 1) == "/")
-    return bad(text, "Unreal's sockets know no Unix sockets");
+    return bad(text, "the plugin does not support Unix sockets");
   if (text.substr(0, 6) == "tls://" || text.substr(0, 7) == "mdns://") {
-    const std::string why = "the plugin has neither TLS nor a search; hedgehogctl tunnel " +
+    const std::string why = "the plugin supports neither TLS nor discovery; hedgehogctl tunnel " +
                             std::string(text) + " makes it 127.0.0.1:7586";
     return bad(text, why.c_str());
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kHelloId = 1;
 constexpr const char* kNobody = "no daemon answers there";
-constexpr const char* kNoDaemon = "what answers is no Hedgehog daemon";
+constexpr const char* kNoDaemon = "the server is not a Hedgehog daemon";
 
 std::string seconds(double value) {
   char text[32];
@@ -104,7 +104,7 @@ void Session::flush() {
     writable_ = false;
     unsent_.clear();
   } else if (unsent_.size() > kMaxUnsent) {
-    ended_ = "the daemon does not read what it is sent";
+    ended_ = "the daemon does not read from the connection";
   }
 }
 
