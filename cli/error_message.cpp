@@ -44,7 +44,7 @@ std::string no_option(const std::vector<const CLI::App*>& given, const std::stri
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   // The value may follow an equals sign.
-  return "'" + word + "' is not understood" + did_you_mean(word.substr(0, word.find('=')), names);
+  return "unknown option '" + word + "'" + did_you_mean(word.substr(0, word.find('=')), names);
 }
 
 std::vector<const CLI::App*> known_verbs(const CLI::App& app) {
@@ -66,7 +66,7 @@ std::string error_message(const CLI::App& app, const CLI::ParseError& error) {
   if (is_option(word)) return no_option(given, word);
   if (!word.empty() && !known_verbs(*given.back()).empty()) return no_verb(*given.back(), word);
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
-    return "'" + word + "' is not understood";
+    return "unexpected argument '" + word + "'";
   return lacks_verb && error.get_name() == "RequiredError" ? "a verb is missing" : error.what();
 }
 
@@ -74,7 +74,7 @@ std::string usage_error(const CLI::App& app, const std::string& what) {
   std::string name;
   for (const CLI::App* verb : given_verbs(app))
     name += (name.empty() ? "" : " ") + verb->get_name();
-  return name + ": " + what + "; " + name + " --help says more";
+  return name + ": " + what + "; see " + name + " --help";
 }
 
 }  // namespace hedgehog::cli

@@ -11,11 +11,11 @@ class ParseError;
 
 namespace hedgehog::cli {
 
-/// "there is no verb 'pulze'; did you mean 'pulse'?", "'--loud' is not understood", or CLI11's
+/// "there is no verb 'pulze'; did you mean 'pulse'?", "unknown option '--loud'", or CLI11's
 /// message. `error`: thrown by `app.parse`.
 std::string error_message(const CLI::App& app, const CLI::ParseError& error);
 
-/// "hedgehogctl pulse: <what>; hedgehogctl pulse --help says more", with the verbs that were given.
+/// "hedgehogctl pulse: <what>; see hedgehogctl pulse --help", with the verbs that were given.
 std::string usage_error(const CLI::App& app, const std::string& what);
 
 }  // namespace hedgehog::cli

@@ -65,7 +65,7 @@ std::string paragraph(const std::string& text) {
   return escaped(words) + "\n";
 }
 
-/// "look at the ball" of "hedgehogctl: look at the ball. More": for whatis.
+/// "shows the state of the ball" of "hedgehogctl: shows the state of the ball. More": for whatis.
 std::string summary(const Command& program) {
   std::string text = program.help.substr(0, program.help.find_first_of(".\n"));
   for (const std::string& before : {program.name + ": ", program.name + " "})

@@ -129,7 +129,7 @@ class Program : public CommandSpec {
   std::optional<EarlyExit> parse(const std::vector<std::string>& arguments, int section = 1);
   /// The same; prints the text of an early exit and returns its code.
   std::optional<int> parse_and_print(int argc, const char* const* argv, int section = 1);
-  /// "hedgehogctl pulse: <what>; hedgehogctl pulse --help says more", with the commands that were
+  /// "hedgehogctl pulse: <what>; see hedgehogctl pulse --help", with the commands that were
   /// given.
   std::string usage_error(const std::string& what) const;
 

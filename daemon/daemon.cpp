@@ -88,11 +88,10 @@ int Daemon::run() {
 void Daemon::log_start() {
   if (config_.backend == config::Backend::kSimulator) {
     spdlog::warn(
-        "hedgehogd {} on the SIMULATOR{}: nothing real moves{}", HEDGEHOG_VERSION,
+        "hedgehogd {} on the SIMULATOR{}: no real ball is driven{}", HEDGEHOG_VERSION,
         options_.speed.value_or(1) > 1 ? fmt::format(", {} times as fast", *options_.speed) : "",
-        config_.configured || options_.overrides.simulate
-            ? ""
-            : "; no configuration file says otherwise");
+        config_.configured || options_.overrides.simulate ? ""
+                                                          : "; there is no configuration file");
   } else {
     spdlog::info("hedgehogd {}", HEDGEHOG_VERSION);
   }
@@ -172,7 +171,8 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
   else if (device_view_.now().state == control::State::kAbsent)
     spdlog::info("no ball is connected");
   else
-    spdlog::warn("the board has not confirmed that the coils are off; its dead-man does it");
+    spdlog::warn(
+        "the board has not confirmed that the coils are off; its dead-man timer switches them off");
   server_.pump();
   server_.announce_shutdown(std::move(reason));
   state_store_.stopped_cleanly();
@@ -194,14 +194,13 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
     timer.expires_after(kIdlePause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
   }
-  if (!history_.flush())
-    spdlog::warn("the disk is slow; the next start may not know what happened last");
+  if (!history_.flush()) spdlog::warn("the disk is slow; the history may lack the newest events");
   io_.stop();
 }
 
 void Daemon::apply(ConfigReload::Loaded fresh) {
   if (fresh.has_error()) {
-    spdlog::error("the new configuration is wrong; the old one stays:\n{}",
+    spdlog::error("the new configuration is invalid; the old one remains in effect:\n{}",
                   config::to_string(fresh.error()));
     manager_.ready(status_line());
     return;
@@ -219,7 +218,8 @@ void Daemon::apply(ConfigReload::Loaded fresh) {
   if (too_wide) next.limits = config_.limits;
   if (!(next.limits == config_.limits) &&
       !device_view_.outbox().add(0, control::SetLimits{next.limits})) {
-    spdlog::error("busy; the new limits were not taken, reload again");
+    spdlog::error(
+        "the queue to the control loop is full; the new limits were not applied, reload again");
     next.limits = config_.limits;
   }
   device_view_.outbox().commit();
@@ -278,7 +278,7 @@ void Daemon::on_event(const control::Event& event, const server::Effect*) {
       spdlog::warn("the control loop was late: {} ticks skipped", event.count);
       return;
     case EventType::kRejectedNumber:
-      spdlog::error("a number that cannot be was replaced by zero current");
+      spdlog::error("a non-finite number was replaced by zero current");
       return;
     case EventType::kEffectStarted:
     case EventType::kEffectEnded:

@@ -11,7 +11,7 @@ namespace hedgehog::daemon {
 namespace {
 
 constexpr const char* kAbout =
-    "hedgehogd owns one Hedgehog ball: it plays the effects that clients ask for over JSON-RPC and "
+    "hedgehogd owns one Hedgehog ball: it plays the effects that clients request over JSON-RPC and "
     "keeps\n"
     "the coils cool. Runs in the foreground. Without a configuration file it simulates a ball.";
 constexpr const char* kVersion = "hedgehogd " HEDGEHOG_VERSION ", protocol 1.0";

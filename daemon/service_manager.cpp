@@ -29,7 +29,7 @@ void ServiceManager::reloading() {
   sd_notify(0, ("RELOADING=1\nMONOTONIC_USEC=" + std::to_string(now_us)).c_str());
 }
 
-void ServiceManager::stopping() { sd_notify(0, "STOPPING=1\nSTATUS=coils off, leaving"); }
+void ServiceManager::stopping() { sd_notify(0, "STOPPING=1\nSTATUS=coils off, stopping"); }
 
 void ServiceManager::alive(std::uint64_t heartbeat) {
   const auto now = std::chrono::steady_clock::now();

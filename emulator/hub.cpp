@@ -79,7 +79,7 @@ std::string Hub::execute(Device& device, std::span<const std::string> words) {
     emulated.halt(*address, *times);
     return "ok";
   }
-  return emulated.command(words).value_or("error: " + device.name + " does not know " + verb);
+  return emulated.command(words).value_or("error: " + device.name + " has no command " + verb);
 }
 
 std::string Hub::plug(Device& device) {

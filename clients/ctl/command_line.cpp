@@ -125,7 +125,7 @@ class CommandLine {
   void add_looking() {
     verb("status", "the state of the ball", run_status);
     verb("devices", "USB and HID devices: which are used, and why the others are not", run_devices);
-    verb("clients", "who is connected and what they play", run_clients);
+    verb("clients", "the connected clients and their effects", run_clients);
     const cli::CommandSpec forecast =
         verb("forecast", "how long a current can flow",
              [this](Session& session) { return run_forecast(session, forecast_); });
@@ -197,7 +197,7 @@ class CommandLine {
 
   void add_record() {
     const cli::CommandSpec record =
-        verb("record", "turn the ball: the way that its front takes becomes a pattern file",
+        verb("record", "records the path of the ball's front as a pattern file",
              [this](Session& session) { return run_record(session, record_); });
     add_record_arguments(record, record_);
   }
@@ -262,14 +262,15 @@ class CommandLine {
         "tunnel", "a ball on the network at a port of this machine, for games without TLS");
     add_tunnel_arguments(tunnel, app_.option("--address"), common_, tunnel_);
     tunnel.on_given([this] { verb_ = [this] { return run_tunnel(common_, tunnel_); }; });
-    const cli::CommandSpec token = app_.add_command(
-        "token", "who may reach the daemon from elsewhere: add, list, revoke, certificate");
+    const cli::CommandSpec token =
+        app_.add_command("token", "access from other machines: add, list, revoke, certificate");
     add_token_arguments(token, token_, [this](TokenVerb chosen) {
       verb_ = [this, chosen] { return chosen(common_, token_); };
     });
   }
 
-  cli::Program app_{"hedgehogctl: look at the ball, play on it, stop it", "hedgehogctl"};
+  cli::Program app_{"hedgehogctl: shows the state of the ball, plays effects, stops it",
+                    "hedgehogctl"};
   CommonOptions common_;
   ForecastOptions forecast_;
   PlayOptions play_;

@@ -49,7 +49,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kHelp{{
      "instead of a duration: renewed until Ctrl-C; ends this long after the last renewal"},
     {"on_close", "when the connection ends; finish: at most 2000 ms"},
     {"slot", "a name for it; the next one of that name replaces it"},
-    {"priority", "only effects of the highest are felt (8, 9: operate)"},
+    {"priority", "only effects of the highest are output (8, 9: operate)"},
     {"if_limited", "when the ball is too warm"},
 }};
 

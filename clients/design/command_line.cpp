@@ -10,9 +10,9 @@ namespace hedgehog::design {
 namespace {
 
 constexpr const char* kFooter =
-    "Sizes are mm and degrees, magnets DIAMETERxHEIGHT. What is not said is as in\n"
-    "the ball of the thesis: tkD-86, pins 8x10, shields 4x10, inner faces on a\n"
-    "sphere of 35 mm, N45, a coil of 0.4 N.\n"
+    "Sizes are mm and degrees, magnets DIAMETERxHEIGHT. Defaults are those of the\n"
+    "thesis' ball: tkD-86, pins 8x10, shields 4x10, inner faces on a sphere of\n"
+    "35 mm, N45, a coil of 0.4 N.\n"
     "Exit: 0 done, 64 usage, 65 bad data or magnets that overlap, 66 no such file,\n"
     "69 gnuplot or openscad missing, 73 a file cannot be written, 74 gnuplot or\n"
     "openscad failed.";
@@ -120,7 +120,7 @@ class CommandLine {
         verb("table", "how far pins move, beside the thesis (Table 2.1)", table_, run_table);
     add_design(table, table_.design);
     add_formats(table);
-    const auto stability = verb("stability", "does every pin rest? names those that do not",
+    const auto stability = verb("stability", "checks that every pin has a stable rest position",
                                 stability_, run_stability);
     add_design(stability, stability_.design);
     add_formats(stability);
@@ -135,8 +135,7 @@ class CommandLine {
   }
 
   void add_making() {
-    const auto choose =
-        verb("choose", "search for designs that no other beats", choose_, run_choose);
+    const auto choose = verb("choose", "search for Pareto-optimal designs", choose_, run_choose);
     add_formats(choose);
     add_pictures(choose, choose_.pictures);
     choose.add_option("--arrays", choose_.arrays, "whole arrays; from 32 to 162 faces by default");

@@ -48,8 +48,8 @@ int run(const std::string& path, const BridgeOptions& options) {
 
 int main(int argc, char** argv) {
   cli::Program app{
-      "Makes the ball a gamepad with force feedback that every game knows. SIGUSR1: as it is held "
-      "now is the centre of the stick.",
+      "Makes the ball a gamepad with standard force feedback. SIGUSR1: takes the present tilt as "
+      "the centre of the stick.",
       "hedgehog-gamepad"};
   app.set_version(std::string("hedgehog-gamepad " HEDGEHOG_VERSION));
   BridgeOptions options;

@@ -83,7 +83,8 @@ Result<std::optional<DeviceCommand>> UinputDevice::next() {
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && errno == EAGAIN) return std::optional<DeviceCommand>();
     if (size != sizeof event)
-      return Problem(kUnavailable, std::string("the gamepad is gone: ") + std::strerror(errno));
+      return Problem(kUnavailable,
+                     std::string("the gamepad device failed: ") + std::strerror(errno));
     if (auto taken = command(event)) return taken;
   }
 }

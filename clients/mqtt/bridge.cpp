@@ -227,7 +227,7 @@ void Bridge::announce() {
 void Bridge::request(const Message& message) {
   const auto forwarded = remote_request(topics_, message);
   protocol::Result<std::string> refusal =
-      protocol::error(protocol::ErrorCode::kDeviceAbsent, "the daemon is gone");
+      protocol::error(protocol::ErrorCode::kDeviceAbsent, "no connection to the daemon");
   if (!forwarded) {
     refusal = forwarded.error();
   } else if (pending_.full() && message.topic != topics_.emergency_stop()) {

@@ -42,7 +42,7 @@ Result<std::string> password_of(const std::string& file) {
   std::ifstream in(file);
   std::string line;
   if (!std::getline(in, line) || line.empty())
-    return Problem(EX_NOINPUT, file + " holds no password: it is its first line");
+    return Problem(EX_NOINPUT, file + " has no password in its first line");
   if (line.ends_with('\r')) line.pop_back();
   return line;
 }

@@ -40,7 +40,7 @@ int run(const BridgeOptions& options) {
 int main(int argc, char** argv) {
   cli::Program app{
       "Publishes a ball's status, events and telemetry at an MQTT 5 broker, and plays the effects "
-      "that its clients ask for.",
+      "that its clients request.",
       "hedgehog-mqtt"};
   app.set_version(std::string("hedgehog-mqtt " HEDGEHOG_VERSION));
   BridgeOptions options;
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   app.add_option("--ca-file", options.broker.ca_file,
                  "certificates for mqtts:// instead of the system's");
   app.add_option("--keepalive-s", options.broker.keepalive_s,
-                 "a broker that is silent for longer is lost")
+                 "keep-alive interval: a broker silent for longer counts as disconnected")
       .range(5, 600)
       .show_default();
   app.add_option("--prefix", options.prefix, "what all topics begin with")

@@ -40,7 +40,7 @@ protocol::Result<RemoteRequest> remote_request(const Topics& topics, const Messa
     std::string allowed;
     for (const auto& name : remote_methods()) allowed += (allowed.empty() ? "" : ", ") + name;
     return protocol::error(protocol::ErrorCode::kMethodNotFound,
-                           message.topic + " asks for no method of: " + allowed);
+                           message.topic + ": unknown method; allowed are " + allowed);
   }
   // The payload of a Home Assistant button is a word.
   if (message.payload.empty() || message.topic == topics.emergency_stop())
@@ -79,7 +79,8 @@ std::vector<Message> PendingRequests::take(const Topics& topics, const protocol:
 
 std::vector<Message> PendingRequests::take_all(const Topics& topics) {
   std::vector<Message> responses;
-  const auto gone = protocol::error(protocol::ErrorCode::kDeviceAbsent, "the daemon is gone");
+  const auto gone =
+      protocol::error(protocol::ErrorCode::kDeviceAbsent, "no connection to the daemon");
   for (const auto& [id, request] : std::exchange(requests_, {}))
     for (auto& response : response_to(topics, request, gone))
       responses.push_back(std::move(response));

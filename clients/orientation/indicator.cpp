@@ -124,7 +124,7 @@ void Indicator::take(const protocol::Event& event) {
 
 Outcome<void> Indicator::check_ended() const {
   if (!ended_ || shutting_down_ || Clock::now() - ended_at_ < kShutdownTimeout) return {};
-  return ClientError{Failure::kRefused, "somebody ended the push: " + *ended_, {}};
+  return ClientError{Failure::kRefused, "the effect was ended: " + *ended_, {}};
 }
 
 Outcome<void> Indicator::follow(const protocol::Status& status) {

@@ -132,8 +132,7 @@ void print(const Count& count, const Feel* feel) {
   const BallSummary& ball = feel->summary();
   std::printf("felt          %d pulses; %d more were too soon after one as hard\n", ball.pulses,
               ball.left_out);
-  if (ball.refused > 0)
-    std::printf("not felt      %d pulses that the ball did not take\n", ball.refused);
+  if (ball.refused > 0) std::printf("not felt      %d pulses rejected\n", ball.refused);
   std::printf("turned down   by the game for %.1f s, at the least to %.0f %%\n", ball.turned_down_s,
               100.0 * ball.min_gain);
   std::printf("derated       by the daemon for %.1f s; never below %.1f A allowed\n",

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   racer::LapOptions laps;
   const cli::CommandSpec lap = app.add_command("lap", "the built-in driver drives, without a page");
   lap.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
-  lap.add_flag("--no-ball", no_ball, "only tells what happens, as fast as it goes");
+  lap.add_flag("--no-ball", no_ball, "only prints the events, at maximum speed");
   lap.add_option("--seconds", laps.seconds, "of the race").range(0.1, 86'400.0).show_default();
   lap.add_option("--speed", laps.speed, "as many times as fast; the daemon must run so, too")
       .range(0.1, 100.0)

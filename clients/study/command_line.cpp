@@ -108,7 +108,7 @@ class CommandLine {
  private:
   void add_trace() {
     const cli::CommandSpec verb =
-        app_.add_command("trace", "puts a string of answers through a staircase");
+        app_.add_command("trace", "evaluates a sequence of responses with the staircase");
     verb.add_option("experiment", trace_.experiment, "a preset or a file").required();
     verb.add_option("--responses", trace_.responses,
                     "1 0: scored yes/correct, no/wrong; Y N: catch trial; T: void")
@@ -126,7 +126,7 @@ class CommandLine {
         .show_default();
     verb.add_option("--seed", simulate_.seed).show_default();
     verb.add_option("--threads", simulate_.threads, "default: one a core").range(1, 256);
-    verb.add_flag("--convergence", simulate_.convergence, "also where endless runs end up");
+    verb.add_flag("--convergence", simulate_.convergence, "also the asymptotic level of long runs");
     verb.add_flag("--json", simulate_.json, "for programs");
     verb.on_given([this] { chosen_ = [this] { return run_simulate(simulate_); }; });
   }
@@ -173,7 +173,7 @@ class CommandLine {
         app_.add_command("resume", "goes on with a run that was stopped or killed");
     verb.add_option("--participant", run_.participant, "default: the run touched last");
     verb.add_option("--experiment", run_.experiment);
-    verb.add_flag("--blind", run_.blind, "as for run, which it remembers");
+    verb.add_flag("--blind", run_.blind, "as for run; default: as the run was started");
     add_address(verb);
     verb.on_given([this] { chosen_ = [this] { return run_resume(run_); }; });
   }

@@ -174,7 +174,7 @@ class Loader {
     }
     if (tcp.empty() && socket.empty()) {
       errors_.push_back(error_at(origins_, "listen.tcp",
-                                 "nobody could reach the daemon: listen.unix is null too",
+                                 "the daemon would have no listener: listen.unix is null too",
                                  paths_.config_file));
     }
   }

@@ -51,7 +51,7 @@ struct ConnectionsResult {
 
 struct ConnectionList {
   static constexpr MethodInfo kMethod{"connection.list", Role::kOperate,
-                                      "Who is connected, since when, and what they play."};
+                                      "The connections, with their start times and effects."};
   using Result = ConnectionsResult;
   friend bool operator==(const ConnectionList&, const ConnectionList&) = default;
 };

@@ -36,11 +36,10 @@ struct StateResult {
 };
 
 struct DeviceArm {
-  static constexpr MethodInfo kMethod{
-      "device.arm",
-      Role::kOperate,
-      "Lets the coils be driven again, when the cause of the stop is gone.",
-      {ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent}};
+  static constexpr MethodInfo kMethod{"device.arm",
+                                      Role::kOperate,
+                                      "Arms the ball once the cause of the stop no longer exists.",
+                                      {ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent}};
   using Result = StateResult;
   friend bool operator==(const DeviceArm&, const DeviceArm&) = default;
 };
@@ -56,7 +55,7 @@ struct DeviceEnterBootLoader {
   static constexpr MethodInfo kMethod{
       "device.enter_boot_loader",
       Role::kOperate,
-      "The board goes into its boot loader and waits for new firmware; not while it is armed.",
+      "Restarts the board in its boot loader, for a firmware update; rejected while armed.",
       {ErrorCode::kArmed, ErrorCode::kDeviceAbsent, ErrorCode::kUnsupported}};
   using Result = StateResult;
   friend bool operator==(const DeviceEnterBootLoader&, const DeviceEnterBootLoader&) = default;
@@ -75,7 +74,7 @@ struct DeviceClaim {
   static constexpr MethodInfo kMethod{
       "device.claim",
       Role::kOperate,
-      "Only this connection plays until it releases, ends, or is silent.",
+      "Exclusive use of the ball until release, end of the connection, or expiry of the lease.",
       {ErrorCode::kClaimed}};
   using Result = ClaimResult;
 
@@ -88,7 +87,7 @@ struct DeviceClaim {
 };
 
 struct DeviceRelease {
-  static constexpr MethodInfo kMethod{"device.release", Role::kOperate, "Gives a claim back."};
+  static constexpr MethodInfo kMethod{"device.release", Role::kOperate, "Releases the claim."};
   using Result = Done;
   friend bool operator==(const DeviceRelease&, const DeviceRelease&) = default;
 };
@@ -101,8 +100,9 @@ struct DeviceDescribe {
 };
 
 struct DeviceStatus {
-  static constexpr MethodInfo kMethod{"device.status", Role::kObserve,
-                                      "Everything that can be known of the ball now."};
+  static constexpr MethodInfo kMethod{
+      "device.status", Role::kObserve,
+      "State of the ball: temperatures, currents, limits, effects."};
   using Result = Status;
   friend bool operator==(const DeviceStatus&, const DeviceStatus&) = default;
 };

@@ -14,9 +14,9 @@ constexpr auto kStarts = [] {
 
 void exactly_one(Fields& f, bool effect, bool slot) {
   if (effect && slot)
-    f.fail(invalid_params("slot", "effect is said too; say only one of effect and slot"));
+    f.fail(invalid_params("slot", "effect is given too; give only one of effect and slot"));
   else if (!effect && !slot)
-    f.fail(invalid_params("effect", "is missing; say effect or slot"));
+    f.fail(invalid_params("effect", "is missing; give effect or slot"));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct EffectStart {
                                     ErrorCode::kClaimed, ErrorCode::kRefusedThermal};
   static constexpr std::array<MethodInfo, 5> kMethods{{
       {"effect.pulse", Role::kPlay, "One push towards a direction.", kErrors},
-      {"effect.circle", Role::kPlay, "The field walks round an axis, from pin to pin.", kErrors},
+      {"effect.circle", Role::kPlay, "The field rotates about an axis, from pin to pin.", kErrors},
       {"effect.vibrate", Role::kPlay, "A push with a waveform.", kErrors},
       {"effect.hold", Role::kPlay, "A push that lasts as long as it is renewed.", kErrors},
       {"effect.play", Role::kPlay, "Plays key frames, of a named pattern or its own.",
@@ -114,7 +114,7 @@ struct EffectStop {
 
 struct EffectStopAll {
   static constexpr MethodInfo kMethod{"effect.stop_all", Role::kPlay,
-                                      "Ends all effects of the connection, or of everybody."};
+                                      "Ends all effects of the connection, or of all connections."};
   using Result = StopResult;
 
   Scope scope = Scope::kMine;
@@ -147,7 +147,7 @@ struct EffectPreview {
   static constexpr MethodInfo kMethod{
       "effect.preview",
       Role::kObserve,
-      "What an effect would do, without doing it.",
+      "Computes currents and temperatures of an effect without starting it.",
       {ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent, ErrorCode::kNoSuchPattern}};
   using Result = PreviewResult;
 

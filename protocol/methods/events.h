@@ -34,7 +34,7 @@ struct EventsResult {
 
 struct EventsSubscribe {
   static constexpr MethodInfo kMethod{"events.subscribe", Role::kObserve,
-                                      "Asks for notifications of what happens."};
+                                      "Subscribes to notifications of events."};
   using Result = EventsResult;
 
   std::vector<std::string> types{};  // names of kEventTypes (values/event.h); empty: all
@@ -82,7 +82,7 @@ struct HistoryResult {
 
 struct EventsHistory {
   static constexpr MethodInfo kMethod{"events.history", Role::kObserve,
-                                      "What has happened, also before the last start."};
+                                      "Past events, including those before the last start."};
   using Result = HistoryResult;
 
   std::optional<std::string> since{};  // RFC 3339

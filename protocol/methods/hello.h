@@ -59,11 +59,10 @@ struct HelloResult {
 };
 
 struct Hello {
-  static constexpr MethodInfo kMethod{
-      "hello",
-      std::nullopt,
-      "Introduces the client; answers who the server is and what it allows.",
-      {ErrorCode::kUnsupported}};
+  static constexpr MethodInfo kMethod{"hello",
+                                      std::nullopt,
+                                      "Identifies the client; returns server, role and limits.",
+                                      {ErrorCode::kUnsupported}};
   using Result = HelloResult;
 
   std::string client{};    // at most 128 characters, shown to the operator; empty: not given

@@ -11,7 +11,7 @@ namespace hedgehog::protocol {
 struct OrientationSet {
   static constexpr MethodInfo kMethod{"orientation.set",
                                       Role::kPlay,
-                                      "Feeds the orientation from outside.",
+                                      "Sets the orientation measured by an external sensor.",
                                       {ErrorCode::kUnsupported, ErrorCode::kClaimed}};
   using Result = Done;
 
@@ -34,7 +34,7 @@ struct RecenterResult {
 struct OrientationRecenter {
   static constexpr MethodInfo kMethod{"orientation.recenter",
                                       Role::kPlay,
-                                      "The front of the ball points at this azimuth now.",
+                                      "Sets the azimuth of the ball's front.",
                                       {ErrorCode::kDeviceAbsent}};
   using Result = RecenterResult;
 

@@ -23,7 +23,7 @@ struct GainResult {
 
 struct OutputSetGain {
   static constexpr MethodInfo kMethod{"output.set_gain", Role::kOperate,
-                                      "The owner's comfort setting for everything, stored."};
+                                      "Gain applied to all effects; persistent."};
   using Result = GainResult;
 
   double gain = 1.0;

@@ -40,8 +40,7 @@ struct PatternsResult {
 };
 
 struct PatternList {
-  static constexpr MethodInfo kMethod{"pattern.list", Role::kObserve,
-                                      "The named patterns there are."};
+  static constexpr MethodInfo kMethod{"pattern.list", Role::kObserve, "Lists the named patterns."};
   using Result = PatternsResult;
   friend bool operator==(const PatternList&, const PatternList&) = default;
 };
@@ -78,7 +77,7 @@ struct PatternGet {
 struct PatternPut {
   static constexpr MethodInfo kMethod{"pattern.put",
                                       Role::kPlay,
-                                      "Keeps a pattern under vendor/name.",
+                                      "Stores a pattern under vendor/name.",
                                       {ErrorCode::kInternalError}};
   using Result = PatternSummary;
 
@@ -91,7 +90,7 @@ struct PatternPut {
 struct PatternRemove {
   static constexpr MethodInfo kMethod{"pattern.remove",
                                       Role::kPlay,
-                                      "Forgets a pattern that was put.",
+                                      "Removes a stored pattern.",
                                       {ErrorCode::kNoSuchPattern, ErrorCode::kInternalError}};
   using Result = Done;
 

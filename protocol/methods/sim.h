@@ -46,7 +46,10 @@ struct SimFault {
 /// Omitted fields are unchanged.
 struct SimSet {
   static constexpr MethodInfo kMethod{
-      "sim.set", Role::kOperate, "Changes the simulated world.", {ErrorCode::kUnsupported}};
+      "sim.set",
+      Role::kOperate,
+      "Sets orientation, ambient temperature and faults of the simulation.",
+      {ErrorCode::kUnsupported}};
   using Result = SimResult;
 
   std::optional<model::Quaternion> orientation{};
@@ -84,10 +87,8 @@ struct SimTruthResult {
 };
 
 struct SimTruth {
-  static constexpr MethodInfo kMethod{"sim.truth",
-                                      Role::kOperate,
-                                      "The simulated ball as it really is.",
-                                      {ErrorCode::kUnsupported}};
+  static constexpr MethodInfo kMethod{
+      "sim.truth", Role::kOperate, "True state of the simulated ball.", {ErrorCode::kUnsupported}};
   using Result = SimTruthResult;
   friend bool operator==(const SimTruth&, const SimTruth&) = default;
 };

@@ -25,7 +25,7 @@ struct TelemetryResult {
 
 struct TelemetrySubscribe {
   static constexpr MethodInfo kMethod{"telemetry.subscribe", Role::kObserve,
-                                      "Asks for the status again and again."};
+                                      "Subscribes to periodic notifications of the status."};
   using Result = TelemetryResult;
 
   double rate_hz = 10.0;                  // 0.1..200

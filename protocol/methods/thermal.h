@@ -52,7 +52,8 @@ struct ThermalForecast {
     if (!f.checks()) return;
     if ((current_a ? 1 : 0) + (start ? 1 : 0) + (effect ? 1 : 0) != 1) {
       const char* named = effect ? "effect" : start ? "method" : "current_a";
-      f.fail(invalid_params(named, "say exactly one of current_a, method with params, and effect"));
+      f.fail(
+          invalid_params(named, "give exactly one of current_a, method with params, and effect"));
     }
     if (direction && !current_a) f.fail(invalid_params("direction", "goes with current_a only"));
   }

@@ -34,7 +34,7 @@ void at_most_one(Fields& f, std::string_view names,
   for (const auto& [name, is_given] : given) {
     if (is_given && !first.empty()) {
       f.fail(invalid_params(
-          name, std::string(first) + " is said too; say only one of " + std::string(names)));
+          name, std::string(first) + " is given too; give only one of " + std::string(names)));
       return;
     }
     first = is_given ? name : first;
@@ -109,7 +109,7 @@ void check(Fields& f, const EffectParams& v, std::optional<EffectMethod> method)
     if (auto wrong = check_keyframes(*v.keyframes)) f.fail(*std::move(wrong));
   }
   if (method == EffectMethod::kPlay && !v.pattern && !v.keyframes)
-    f.fail(invalid_params("pattern", "is missing; say the name of one, or keyframes"));
+    f.fail(invalid_params("pattern", "is missing; give the name of one, or keyframes"));
   if (auto wrong = check_end(method ? with_defaults(*method, v) : v)) f.fail(*std::move(wrong));
   if ((method == EffectMethod::kPulse || method == EffectMethod::kHold) && !v.direction)
     f.fail(invalid_params("direction", "is missing; for example \"direction\":\"left\""));

@@ -42,8 +42,9 @@ void Pattern::describe(Fields& f) {
   if (!f.checks()) return;
   if (!owner_of(name)) {
     RpcError error = invalid_params(
-        "name", "'" + shortened(name) +
-                    "' is no name for a pattern; say vendor/name in lower case, like acme/knock");
+        "name",
+        "'" + shortened(name) +
+            "' is not a valid pattern name; use vendor/name in lower case, like acme/knock");
     error.value = shortened(name);
     f.fail(std::move(error));
   }

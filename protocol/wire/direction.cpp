@@ -17,7 +17,7 @@ struct Resolver {
   Result<model::Vec3> operator()(const model::Vec3& v) const {
     const double longest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     if (!model::is_finite(v) || longest == 0.0)
-      return invalid_params(field, "a vector without length points nowhere");
+      return invalid_params(field, "a vector of length 0 is not a direction");
     // Scaled first, so that squares of tiny or huge components neither underflow nor overflow.
     return model::unit_or({v.x / longest, v.y / longest, v.z / longest}, {1, 0, 0});
   }

@@ -110,7 +110,7 @@ RpcError no_such_effect(std::int64_t effect) {
 
 RpcError no_such_slot(std::string_view slot) {
   RpcError made =
-      error(ErrorCode::kNoSuchEffect, join({"slot: nothing of yours plays in '", slot, "'"}));
+      error(ErrorCode::kNoSuchEffect, join({"slot: you play no effect in '", slot, "'"}));
   made.field = "slot";
   made.value = std::string(slot);
   return made;

@@ -78,7 +78,7 @@ RpcError invalid_params(std::string_view field, std::string_view what);
 RpcError forbidden(std::string_view field, std::string_view what, Role needed, Role has);
 /// "effect: you play no effect 41".
 RpcError no_such_effect(std::int64_t effect);
-/// "slot: nothing of yours plays in 'engine'".
+/// "slot: you play no effect in 'engine'".
 RpcError no_such_slot(std::string_view slot);
 /// "busy: <what>"
 RpcError busy(std::string_view what, std::int64_t retry_after_ms);

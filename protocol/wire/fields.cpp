@@ -41,7 +41,7 @@ void Fields::direction(Direction& v) {
   std::visit([&](auto& given) { value(given); }, v);
   const auto* vector = std::get_if<model::Vec3>(&v);
   if (checks() && vector != nullptr && *vector == model::Vec3{})
-    fail(invalid_params(path(), "[0,0,0] points nowhere"));
+    fail(invalid_params(path(), "[0,0,0] is not a direction"));
 }
 
 }  // namespace hedgehog::protocol

@@ -38,7 +38,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& name) override {
     Level& level = levels_.back();
     if (!level.names.insert(name).second) {
-      problem_ = "the name '" + shortened(name) + "' stands twice in one object";
+      problem_ = "the name '" + shortened(name) + "' occurs twice in one object";
       return false;
     }
     std::get<Json::Object>(level.json.value).emplace_back(std::move(name), Json{});
@@ -48,7 +48,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
     problem_ = error.id == 406 ? "it has a number that is too large"
-                               : "it breaks off or goes wrong at byte " + std::to_string(position);
+                               : "truncated or invalid at byte " + std::to_string(position);
     return false;
   }
 

@@ -87,21 +87,18 @@ TEST_F(Sample, AcceptsAnOptionWithoutItsValueAndOneFromTheEnvironment) {
 }
 
 TEST_F(Sample, EndsWithASentenceAfterAUsageError) {
-  EXPECT_EQ(
-      end({"--level", "1.5"}),
-      "sample: --level: Value 1.5 not in range 0.000000 to 1.000000; sample --help says more");
+  EXPECT_EQ(end({"--level", "1.5"}),
+            "sample: --level: Value 1.5 not in range 0.000000 to 1.000000; see sample --help");
   EXPECT_THAT(end({"--count", "0"}), HasSubstr("--count"));
   EXPECT_THAT(end({"--count", "two"}), HasSubstr("--count"));
   EXPECT_THAT(end({"--shape", "saw"}), HasSubstr("--shape: saw not in {sine,square}"));
-  EXPECT_EQ(end({"--name", "x"}), "sample: --name: not x; sample --help says more");
+  EXPECT_EQ(end({"--name", "x"}), "sample: --name: not x; see sample --help");
   EXPECT_THAT(end({"--csv", "--json"}), HasSubstr("excludes"));
-  EXPECT_EQ(end({"play"}),
-            "sample play: pattern or --file is required; sample play --help says more");
-  EXPECT_EQ(
-      end({"--levle", "1"}),
-      "sample: '--levle' is not understood; did you mean '--level'?; sample --help says more");
+  EXPECT_EQ(end({"play"}), "sample play: pattern or --file is required; see sample play --help");
+  EXPECT_EQ(end({"--levle", "1"}),
+            "sample: unknown option '--levle'; did you mean '--level'?; see sample --help");
   EXPECT_FALSE(played_);
-  EXPECT_EQ(program_.usage_error("no"), "sample: no; sample --help says more");
+  EXPECT_EQ(program_.usage_error("no"), "sample: no; see sample --help");
 }
 
 TEST_F(Sample, EndsWithTheHelpText) {

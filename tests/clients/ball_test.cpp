@@ -150,7 +150,7 @@ TEST(Ball, ReportsTheDaemonsErrorAboutTheConnection) {
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().message,
             "the connection to the daemon has ended: the daemon closed the connection "
-            "(it said: 64 are connected)");
+            "(message: 64 are connected)");
 }
 
 TEST(Ball, ARequestThatIsTooLongDoesNotEndTheConnection) {

@@ -94,7 +94,7 @@ TEST_F(BootVolume, IsWrittenOnlyIfItIsTheOnlyOne) {
   ASSERT_FALSE(two);
   EXPECT_EQ(two.error().exit_code, kUnavailable);
   EXPECT_EQ(two.error().message, "two boards are in their boot loaders, " + first + " and " +
-                                     second + ": --volume says which is the ball's");
+                                     second + ": select the ball's with --volume");
   const auto one = load_image(load({first}));
   ASSERT_TRUE(one);
   EXPECT_EQ(one->volume, first);

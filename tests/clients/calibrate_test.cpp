@@ -203,7 +203,7 @@ TEST(WindingBench, TooLittleTelemetryIsNoOpenWinding) {
   const Held held({.every_ms = 300});
   ASSERT_FALSE(held.record);
   EXPECT_EQ(held.record.error().failure, Failure::kTimeout);
-  EXPECT_THAT(held.record.error().message, testing::HasSubstr("too sparsely"));
+  EXPECT_THAT(held.record.error().message, testing::HasSubstr("telemetry rate too low"));
 }
 
 TEST(WindingBench, DistinguishesATripFromAnotherEnd) {

@@ -33,7 +33,7 @@ TEST(DevicesScreen, ListsDevicesInUseAndWhyOthersAreNot) {
                   "  USB 1-6    413d:2107  TEMPer2                     not used: no permission to",
                   "                        open it; the udev rule gives it to the group hedgehog",
                   "  missing               thermometer: no TEMPer thermometer is connected",
-                  "  and 2 more that are nothing to hedgehogd"));
+                  "  and 2 more that hedgehogd does not use"));
   for (const std::string& line : devices_screen(seen, std::string(32, 'b')))
     EXPECT_LE(columns(line), 80u) << line;
   const auto into_a_pipe = devices_screen(seen, "ball-7", {.cuts = false});
@@ -46,12 +46,12 @@ TEST(DevicesScreen, ListsDevicesInUseAndWhyOthersAreNot) {
           "  USB 1-6    413d:2107  TEMPer2                     not used: no permission to "
           "open it; the udev rule gives it to the group hedgehog",
           "  missing               thermometer: no TEMPer thermometer is connected",
-          "  and 2 more that are nothing to hedgehogd"));
+          "  and 2 more that hedgehogd does not use"));
 }
 
 TEST(DevicesScreen, AMachineWithoutDevices) {
   EXPECT_THAT(devices_screen({}, "ball"),
-              testing::ElementsAre("  nothing that hedgehogd knows is connected"));
+              testing::ElementsAre("  no supported device is connected"));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(PreviewScreen, DrawsEachWindingToOneScaleAndReportsDerating) {
   preview.delivered = {0.6, 0.8};
   const auto lines = preview_screen("pulse left", preview, true);
   ASSERT_EQ(lines.size(), 7u);
-  EXPECT_EQ(lines[0], "pulse left, 10000 ms, if it began now. Nothing has moved.");
+  EXPECT_EQ(lines[0], "pulse left, 10000 ms, if it were started now. Nothing was played.");
   EXPECT_EQ(lines[1], "  x  nothing flows");
   EXPECT_EQ(lines[2], "  y  9.0 to 15.0 A     " + std::string(25, '=') + std::string(25, '_'));
   EXPECT_EQ(lines[3], "  z  -4.0 A            " + std::string(50, '-')) << "a constant is a line";
@@ -55,7 +55,7 @@ TEST(ForecastScreen, ShowsKnownFiguresAndMarksUnknownOnes) {
                           "  full again  now"));
   forecast.temperature_known = false;
   const auto unknown = forecast_screen(forecast, 15.0, "left");
-  EXPECT_THAT(unknown[0], HasSubstr("temperature of the ball is not known"));
+  EXPECT_THAT(unknown[0], HasSubstr("temperature of the ball is unknown"));
   for (const std::string& line : unknown) {
     EXPECT_THAT(line, testing::Not(testing::AnyOf(HasSubstr("never"), HasSubstr("for ever"))));
     EXPECT_LE(columns(line), 90u);
@@ -92,7 +92,7 @@ TEST(TripsScreen, IsNewestFirstAndLeavesRestartsOut) {
             "  2026-10-09 18:02:51  fan_stopped       61.0 °C  10.6 A  hedgehogctl  trip-0016");
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u);
   EXPECT_THAT(trips_screen(history, {.cuts = false})[1], HasSubstr("  thermometer_disagrees  "));
-  EXPECT_EQ(trips_screen({}).front(), "  it has not tripped");
+  EXPECT_EQ(trips_screen({}).front(), "  no trips");
   history.more = true;
   EXPECT_EQ(trips_screen(history).size(), 4u);
   EXPECT_EQ(trips_screen(history).back(), "  older ones are not shown");
@@ -104,7 +104,7 @@ TEST(HistoryScreen, HasALineADayAndALineAnEvent) {
   ::setenv("TZ", "UTC0", 1);
   ::tzset();
   protocol::HistoryResult history;
-  EXPECT_THAT(history_screen(history), ElementsAre("  nothing has happened since"));
+  EXPECT_THAT(history_screen(history), ElementsAre("  no events"));
   history.events.push_back(
       {.at = "2026-11-20T23:14:07.412Z", .event = {.type = "state_changed", .state = "tripped"}});
   history.events.back().event.reason = "sensor_frozen";

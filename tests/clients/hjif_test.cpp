@@ -117,7 +117,7 @@ TEST(Hjif, AKeyFrameNeedNotHaveBothModulations) {
   EXPECT_NEAR(level_at(held, 75), 0.6, 1e-3);
   EXPECT_NEAR(level_at(held, 190), 0.8, 1e-3) << "the last one, to the effect's end";
   EXPECT_EQ(held.pattern.frequency_hz, 53.3) << "mean of 80 at 0.4 and 40 at 0.8";
-  EXPECT_THAT(held.notes, ElementsAre(HasSubstr("felt as their mean")));
+  EXPECT_THAT(held.notes, ElementsAre(HasSubstr("played as their mean")));
 
   const auto plain =
       import_pattern(hjif(band("VectorialWave", basis(0, only_hz(0, 80) + "," + only_hz(99, 80)))))
@@ -127,7 +127,7 @@ TEST(Hjif, AKeyFrameNeedNotHaveBothModulations) {
   const auto pitchless =
       import_pattern(hjif(band("VectorialWave", basis(0, key(0, 1) + "," + key(99, 1))))).value();
   EXPECT_EQ(pitchless.pattern.waveform, std::nullopt);
-  EXPECT_THAT(pitchless.notes, ElementsAre(HasSubstr("no frequency")));
+  EXPECT_THAT(pitchless.notes, ElementsAre(HasSubstr("without a frequency")));
 }
 
 TEST(Hjif, ACurveHasOnlyKeyFramesWithAnAmplitude) {
@@ -258,7 +258,7 @@ TEST(Hjif, UnsupportedPropertiesAreReported) {
   EXPECT_THAT(i.notes, Contains(HasSubstr("'Akima' are drawn with straight lines")));
   EXPECT_THAT(i.notes, Contains(HasSubstr("negative amplitudes are left out")));
   EXPECT_THAT(i.notes, Contains(HasSubstr("'WaveletWave' are left out")));
-  EXPECT_THAT(i.notes, Contains(HasSubstr("waves are felt as pushes")));
+  EXPECT_THAT(i.notes, Contains(HasSubstr("waves are played as pushes")));
   EXPECT_THAT(import_pattern(hjif(curve, R"("gain":1)", "Temperature")).error().message,
               HasSubstr("'Temperature' are left out"));
 }

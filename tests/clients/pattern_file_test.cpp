@@ -95,7 +95,7 @@ TEST(PatternFile, AnErrorNamesTheFileThePositionAndTheAllowedValues) {
     EXPECT_THAT(read.error().message, StartsWith(path + ": "));
     return read.error().message;
   };
-  EXPECT_THAT(error_of("broken.ahap", R"({"Pattern":[})"), HasSubstr("goes wrong at byte 13"));
+  EXPECT_THAT(error_of("broken.ahap", R"({"Pattern":[})"), HasSubstr("invalid at byte 13"));
   EXPECT_THAT(error_of("other.hjif", "{}"), HasSubstr("neither AHAP"));
   EXPECT_THAT(error_of("list.ahap", R"({"Pattern":{}})"), HasSubstr("has a list of that name"));
   EXPECT_THAT(error_of("audio.ahap", R"({"Pattern":[{"Event":{"EventType":"AudioCustom"}}]})"),

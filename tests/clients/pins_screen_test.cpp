@@ -118,7 +118,7 @@ TEST(PinsScreen, ReportsThatAllPinsRest) {
   const Ball ball = armed_ball();
   EXPECT_THAT(pins_screen(ball, {}), testing::Contains("  all pins rest"));
   EXPECT_THAT(pins_line(ball.status), EndsWith("all pins rest"));
-  EXPECT_EQ(aimed_pin_words(ball.status), "nothing pushes");
+  EXPECT_EQ(aimed_pin_words(ball.status), "no force");
 }
 
 }  // namespace

@@ -42,10 +42,11 @@ TEST(Rest, IsOneTemperatureWithinTwoKelvin) {
 TEST(Rest, NeedsACertainEstimate) {
   protocol::TemperatureStatus t = all_at(25.0);
   t.upper = 28.5;
-  EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("has not watched the ball for long"));
+  EXPECT_THAT(rest_deviation(t, kThermal).what,
+              HasSubstr("the thermal estimate has not converged"));
   EXPECT_EQ(rest_deviation(t, kThermal).wait_s, 180.0);
   t.upper = t.model = std::nullopt;
-  EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("does not know yet"));
+  EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("not known yet"));
 }
 
 TEST(Rest, ThreeThermistorsMustAgreeWithinTheirTolerance) {

@@ -155,7 +155,7 @@ TEST(StatusScreen, ShowsTheReasonOfATripAndItsRemedy) {
   EXPECT_THAT(lines[0], HasSubstr("TRIPPED: sensor_frozen"));
   EXPECT_THAT(lines[2], HasSubstr("hedgehogctl arm"));
   EXPECT_THAT(lines, testing::Contains(EndsWith("of 0.0 A allowed")));
-  EXPECT_THAT(lines, testing::Contains("  headroom          none  nothing may flow"));
+  EXPECT_THAT(lines, testing::Contains("  headroom          none  no current is allowed"));
 }
 
 TEST(StatusScreen, ShowsNoUnknownTemperature) {
@@ -169,7 +169,7 @@ TEST(StatusScreen, ShowsNoUnknownTemperature) {
   ball.status.headroom_s = 0.0;
   EXPECT_THAT(
       status_screen(ball, {}),
-      testing::Contains("  headroom       unknown  nothing may flow until the temperature is "
+      testing::Contains("  headroom       unknown  no current is allowed until the temperature is "
                         "known"));
 }
 

@@ -49,19 +49,19 @@ TEST(Uf2File, NamesTheProblemOfAFile) {
   EXPECT_EQ(refused(std::vector<std::uint8_t>(8193 * 512)),
             "has 8193 blocks, more than the 8192 of the flash");
   EXPECT_EQ(refused(std::vector<std::uint8_t>(512)),
-            "block 0 is none of a UF2 file: its magic numbers are wrong");
+            "block 0 is not a UF2 block: wrong magic numbers");
   EXPECT_EQ(refused(Uf2Sample({0x10000100, 0x10000200})),
             "has nothing for 0x10000000, where the chip starts");
 }
 
 TEST(Uf2File, NamesTheProblemOfABlock) {
   for (const Uf2Word word : {Uf2Word::kMagicFirst, Uf2Word::kMagicSecond, Uf2Word::kMagicLast})
-    EXPECT_EQ(refused(word, 7), "block 1 is none of a UF2 file: its magic numbers are wrong");
+    EXPECT_EQ(refused(word, 7), "block 1 is not a UF2 block: wrong magic numbers");
   EXPECT_EQ(refused(Uf2Word::kFlags, 0), "block 1 does not name the chip that it is for");
   EXPECT_EQ(refused(Uf2Word::kFlags, 0x2001), "block 1 is not for the flash");
   EXPECT_EQ(refused(Uf2Word::kFamily, 0xE48BFF59),
             "block 1 is for another chip, family 0xE48BFF59; the board's RP2040 is 0xE48BFF56");
-  EXPECT_EQ(refused(Uf2Word::kBytes, 476), "block 1 brings 476 bytes instead of 256");
+  EXPECT_EQ(refused(Uf2Word::kBytes, 476), "block 1 has a payload of 476 bytes instead of 256");
   EXPECT_EQ(refused(Uf2Word::kCount, 4), "block 1 counts 4 blocks, and the file has 3");
   EXPECT_EQ(refused(Uf2Word::kNumber, 2), "block 1 has the number 2");
   EXPECT_EQ(refused(Uf2Word::kAddress, 0x20000000),

@@ -131,10 +131,10 @@ TEST(ConfigAccess, AUserOrGroupThatDoesNotExistIsAnError) {
 TEST(ConfigAccess, AListBelowThatOfAllUsersIsAnError) {
   EXPECT_EQ(with_unix(R"("play": ["daemon"])").errors(),
             kConfigFile +
-                ":2: access.unix.play: changes nothing, because access.unix.operate has "
-                "\"*\"; write there who may\n");
+                ":2: access.unix.play: has no effect, because access.unix.operate has "
+                "\"*\"; list the permitted users there instead\n");
   EXPECT_THAT(with_unix(R"("operate": [], "play": ["*"], "observe": ["root"])").errors(),
-              testing::HasSubstr("access.unix.observe: changes nothing, because access.unix.play"));
+              testing::HasSubstr("access.unix.observe: has no effect, because access.unix.play"));
   EXPECT_EQ(with_unix(R"("operate": [], "play": ["*"])").errors(), "");
 }
 

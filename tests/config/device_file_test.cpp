@@ -69,8 +69,8 @@ TEST(DeviceFile, AnyGeometryIsData) {
 TEST(DeviceFile, AMatrixMustReachEveryDirection) {
   EXPECT_EQ(wrong_device("{\n\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]}"),
             kDeviceFile +
-                ":2: coil_matrix: must have a determinant other than 0: these rows leave " +
-                "directions without a field\n");
+                ":2: coil_matrix: must have a determinant other than 0: the coils do not span " +
+                "all directions\n");
   EXPECT_EQ(wrong_device("{\"coil_matrix\": [[1, 0, 0], [0, 1], [0, 0, 1]]}"),
             kDeviceFile + ":1: coil_matrix: row 2: must be three rows of three numbers, such as " +
                 "[[1, 0, 0], [0, 1, 0], [0, 0, 1]], not a list\n");
@@ -157,10 +157,10 @@ TEST(DeviceFile, OfTheSimulatedBallHasThePinsOfTheDevice) {
 TEST(DeviceFile, HeatThatTheEstimateCannotFollowIsRefused) {
   EXPECT_EQ(wrong_device("{\"thermal\": {\n\"winding_j_k\": 2, \"winding_to_core_k_w\": 0.4}}"),
             kDeviceFile + ":2: thermal.winding_j_k: times winding_to_core_k_w must be at least 1 " +
-                "s, not 0.8: no estimate of heat could follow it\n");
+                "s, not 0.8: too fast for the thermal estimate\n");
   EXPECT_EQ(wrong_device("{\"thermal\": {\"core_j_k\": 2.5, \"core_to_room_fan_k_w\": 1}}"),
             kDeviceFile + ":1: thermal.core_j_k: over all conductances of the core must be at " +
-                "least 1 s, not 0.625: no estimate of heat could follow it\n");
+                "least 1 s, not 0.625: too fast for the thermal estimate\n");
   EXPECT_EQ(wrong_device("{\"thermal\": {\"sensor_lag_s\": 0}}"),
             kDeviceFile + ":1: thermal.sensor_lag_s: must be 0.1 to 10, not 0\n");
   EXPECT_EQ(FakeFiles::with_device("{\"thermal\": {\"winding_j_k\": 2, \"winding_to_core_k_w\": "

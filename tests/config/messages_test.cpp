@@ -143,7 +143,7 @@ TEST(Messages, AddressesHaveAFormat) {
 
 TEST(Messages, AListenerIsRequired) {
   EXPECT_EQ(wrong("{\"listen\": {\"tcp\": [], \"unix\": null}}"),
-            kFile + ":1: listen.tcp: nobody could reach the daemon: listen.unix is null too\n");
+            kFile + ":1: listen.tcp: the daemon would have no listener: listen.unix is null too\n");
   EXPECT_EQ(wrong("{\"listen\": {\"tcp\": []}}"), "");
 }
 

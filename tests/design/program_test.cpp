@@ -170,7 +170,7 @@ TEST(BadInput, GetsOneClearSentence) {
   EXPECT_THAT(wrong({"curves", "--png", folder.path("x.gif")}, kUsage), HasSubstr(".svg or .png"));
   EXPECT_THAT(wrong({"report", "--output", folder.path("no/report.html")}, kCannotCreate),
               HasSubstr("cannot be written"));
-  EXPECT_THAT(wrong({"export"}, kUsage), HasSubstr("say what"));
+  EXPECT_THAT(wrong({"export"}, kUsage), HasSubstr("give at least one of"));
   EXPECT_THAT(wrong({}, kUsage), HasSubstr("a verb is missing"));
   EXPECT_THAT(wrong({"stablity"}, kUsage), HasSubstr("no verb 'stablity'"));
   EXPECT_THAT(wrong({"stability", "--aray", "cD"}, kUsage), HasSubstr("'--aray'"));

@@ -91,8 +91,9 @@ struct BoardFlashed : BoardFlashFile {
 TEST_F(BoardFlashed, AnArmedBallIsNotFlashed) {
   const Ended ended = flash({"--volume", volume()});
   EXPECT_EQ(ended.exit_code, kTryLater);
-  EXPECT_THAT(ended.err, HasSubstr("only a ball that is not armed goes into its boot loader. Run: "
-                                   "hedgehogctl stop"));
+  EXPECT_THAT(ended.err,
+              HasSubstr("the boot loader can be entered only while the ball is not armed. Run: "
+                        "hedgehogctl stop"));
   EXPECT_EQ(status()["state"], "armed");
   EXPECT_FALSE(fs::exists(home.path("RPI-RP2/hedgehog.uf2")));
 }
@@ -153,7 +154,7 @@ TEST_F(BoardFlashed, CtrlCLeavesTheBoardInItsBootLoader) {
   program.signal(SIGINT);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, kInterrupted);
-  EXPECT_THAT(ended.err, HasSubstr("interrupted; the board waits in its boot loader"));
+  EXPECT_THAT(ended.err, HasSubstr("interrupted; the board stays in its boot loader"));
 }
 
 }  // namespace

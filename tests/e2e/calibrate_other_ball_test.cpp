@@ -182,7 +182,7 @@ TEST_F(Bringup, SidesAreNotPromptedForBeforeTheResistancesAreRight) {
   start(R"({"r25_ohm": [0.45, 0.9, 0.45]})");
   TerminalProgram screen(home_, hedgehogctl(), words(), where());
   EXPECT_EQ(screen.wait(), 0) << screen.shown();
-  EXPECT_THAT(screen.shown(), HasSubstr("The file until now says 0.4500"));
+  EXPECT_THAT(screen.shown(), HasSubstr("The present device file has 0.4500"));
   EXPECT_THAT(screen.shown(), HasSubstr("Start hedgehogd with the new file, then calibrate"));
 }
 

@@ -123,7 +123,7 @@ TEST_F(Calibrate, AClaimedBallIsNotMeasured) {
   RawClient other(daemon.port());
   const Ended ended = calibrate(daemon, {}, [&] { other.call("device.claim"); });
   EXPECT_EQ(ended.exit_code, 75);
-  EXPECT_THAT(ended.err, HasSubstr("another client has the ball for itself"));
+  EXPECT_THAT(ended.err, HasSubstr("another client has exclusive use of the ball"));
   EXPECT_THAT(ended.err, Not(HasSubstr("r25_ohm")));
   EXPECT_EQ(home_.read("found.json"), "");
 }

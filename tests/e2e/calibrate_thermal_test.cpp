@@ -64,7 +64,7 @@ std::string all_samples(const model::PlantParameters& ball) {
 TEST_F(CalibrateThermal, ContinuesAfterAnInterruptionAndWritesItsResult) {
   const Ended first = interrupted_after("of 30: at rest", {});
   EXPECT_EQ(first.exit_code, 130) << first.err;
-  EXPECT_THAT(first.err, HasSubstr("The same command goes on from what"));
+  EXPECT_THAT(first.err, HasSubstr("Repeat the command to resume from"));
   EXPECT_EQ(home_.read("found.json"), "") << "nothing half done";
   const std::string begun = progress();
   EXPECT_THAT(begun, HasSubstr("\"power_w\""));
@@ -82,7 +82,7 @@ TEST_F(CalibrateThermal, ContinuesAfterAnInterruptionAndWritesItsResult) {
   home_.write("found.json.progress", begun.substr(0, begun.find('\n') + 1) + all_samples(ball));
   const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("The thermometer sits on winding y"));
+  EXPECT_THAT(ended.out, HasSubstr("The thermometer is on winding y"));
   EXPECT_EQ(progress(), "");
   const Json file = Json::parse(home_.read("found.json"), nullptr, true, true);
   EXPECT_NEAR(file["thermal"]["winding_j_k"][0].get<double>(), 50.0, 0.05 * 50.0);
@@ -98,7 +98,7 @@ TEST_F(CalibrateThermal, AForeignProgressFileIsNotContinued) {
   home_.write("found.json.progress", "something else");
   const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
   EXPECT_EQ(ended.exit_code, 65);
-  EXPECT_THAT(ended.err, HasSubstr("it is damaged. Remove it to begin anew"));
+  EXPECT_THAT(ended.err, HasSubstr("it is damaged. Remove it to start over"));
   EXPECT_EQ(progress(), "something else");
 }
 

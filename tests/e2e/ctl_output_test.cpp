@@ -108,7 +108,7 @@ TEST_F(CtlOutput, CheckHasExitCodesOfItsOwnAndIsJsonForPrograms) {
   const Ended wrong = ctl({"check", "--lout"});
   EXPECT_EQ(wrong.exit_code, 3);
   EXPECT_THAT(wrong.out, testing::StartsWith("HEDGEHOG UNKNOWN - "));
-  EXPECT_THAT(wrong.out, HasSubstr("'--lout' is not understood"));
+  EXPECT_THAT(wrong.out, HasSubstr("unknown option '--lout'"));
   ctl({"stop"});
   const Ended stopped = ctl({"check", "--json"});
   EXPECT_EQ(stopped.exit_code, 1);

@@ -264,7 +264,7 @@ TEST_F(Ctl, UsageErrorsExitWith64) {
       {{"pulse", "99"}, "99 is above 85"},
       {{"pulse", "1,2,3,4"}, "1,2,3,4"},
       {{"pulse"}, "direction is required"},
-      {{"pulse", "left", "--loud", "3"}, "hedgehogctl pulse: '--loud' is not understood"},
+      {{"pulse", "left", "--loud", "3"}, "hedgehogctl pulse: unknown option '--loud'"},
       {{"pulse", "left", "--duration-ms", "99999"}, "99999 is above 10000"},
       {{"pulse", "left", "--current-a", "3", "--level", "1"}, "only one of"},
       {{}, "a verb is missing"},

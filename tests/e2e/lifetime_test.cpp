@@ -166,7 +166,7 @@ TEST(Reload, AppliesNewLimitsAndKeepsTheOldOnesWhenTheFileIsInvalid) {
   EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8) << "the board keeps its tighter limits";
   home.configure(R"({"limits": {"current_a": "much"}})");
   daemon.signal(SIGHUP);
-  EXPECT_TRUE(daemon.logs("the old one stays"));
+  EXPECT_TRUE(daemon.logs("the old one remains in effect"));
   EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8);
 }
 
@@ -206,12 +206,12 @@ TEST(StateStore, AnUnpersistedEmergencyStopIsReportedAndTheStopIsNotOrderly) {
   ASSERT_EQ(Json::parse(home.read("state/hedgehog/state.json"))["clean_stop"], true);
   home.write("state/hedgehog/state.json.new/in-the-way", "");
   DaemonProcess daemon(home);
-  EXPECT_TRUE(daemon.logs("state.json.new: Is a directory: the state is not kept"));
+  EXPECT_TRUE(daemon.logs("state.json.new: Is a directory: the state was not saved"));
   const Json stopped = RawClient(daemon.port()).call("device.emergency_stop");
   EXPECT_EQ(stopped["state"], "disarmed");
   EXPECT_EQ(stopped["on_disk"], false);
   EXPECT_EQ(daemon.stop(), 0);
-  EXPECT_TRUE(daemon.logs("; the next start counts as one after a crash"));
+  EXPECT_TRUE(daemon.logs("; the next start is treated as one after a crash"));
   EXPECT_EQ(home.read("state/hedgehog/state.json"), "");
 }
 
@@ -271,7 +271,7 @@ TEST(StateStore, AHotBallIsHotAfterARestart) {
   daemon.stop();
   home.write("state/hedgehog/state.json", R"({"version":1,"winding_c":[1e9)");
   DaemonProcess damaged(home);
-  EXPECT_TRUE(damaged.logs("state.json: damaged. Whether the ball had tripped"));
+  EXPECT_TRUE(damaged.logs("state.json: damaged. Latch and temperature are unknown"));
   RawClient owner(damaged.port());
   EXPECT_EQ(owner.call("hello")["reason"], "state_lost");
   EXPECT_TRUE(eventually([&] { return owner.call("device.arm").value("state", "") == "armed"; }));

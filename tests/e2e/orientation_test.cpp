@@ -228,7 +228,7 @@ TEST(IndicatorAlone, DoesNotPushAfterAnEmergencyStop) {
   other.call("device.emergency_stop");
   const Ended stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 69);
-  EXPECT_THAT(stopped.err, HasSubstr("somebody ended the push: tripped"));
+  EXPECT_THAT(stopped.err, HasSubstr("the effect was ended: tripped"));
   const Ended refused =
       Program(home, hedgehog_orientation(), {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
   EXPECT_EQ(refused.exit_code, 69);

@@ -173,7 +173,7 @@ TEST_F(Patterns, AnImportedPatternThatIsTooLongIsReported) {
   const Ended put = ctl({"patterns", "import", home_.path("long.ahap"), "--put"});
   EXPECT_EQ(put.exit_code, 0);
   EXPECT_THAT(put.err, HasSubstr(too_long));
-  EXPECT_EQ(put.out, "imported/long is kept: hedgehogctl play imported/long --loop --for 30.5\n");
+  EXPECT_EQ(put.out, "imported/long is stored: hedgehogctl play imported/long --loop --for 30.5\n");
   // The printed command works, and the same without its options does not.
   EXPECT_EQ(ctl({"play", "imported/long"}).exit_code, kUsage);
   const Ended played = play_unexpired([&] {

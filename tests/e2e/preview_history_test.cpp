@@ -80,7 +80,7 @@ TEST(PreviewAndHistory, ATripPersistsOverAKillAndARestartIsNone) {
   const Home home;
   {
     DaemonProcess daemon(home);
-    EXPECT_THAT(ctl(home, daemon, {"trips"}).out, HasSubstr("it has not tripped"));
+    EXPECT_THAT(ctl(home, daemon, {"trips"}).out, HasSubstr("no trips"));
     RawClient game(daemon.port());
     game.call("hello", {{"client", "Racer/1.2"}});
     game.call("events.subscribe");

@@ -36,7 +36,7 @@ TEST(Racer, AFrozenDaemonDelaysNoFrameAndIsReportedAsSilent) {
   const auto before = std::chrono::steady_clock::now();
   for (int frame = 0; frame < kRaceFrames; ++frame) feel.frame({racer::Skid{0.5}}, frame / 60.0);
   EXPECT_LT(std::chrono::steady_clock::now() - before, kBlockingDuration / 50);
-  EXPECT_EQ(sentence(feel.ball()), "the daemon is silent");
+  EXPECT_EQ(sentence(feel.ball()), "no telemetry from the daemon");
   EXPECT_TRUE(feel.ball().late);
   EXPECT_FALSE(feel.ball().orientation.has_value());
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}, racer::Skid{0.5}}, 30.0);
@@ -63,16 +63,17 @@ TEST(Racer, ABallClaimedByAnotherClientIsNotReportedAsFelt) {
   EXPECT_TRUE(eventually([&] {
     claim();
     feel.frame({racer::Skid{0.5}}, 1.1);
-    return sentence(feel.ball()) == "another client has the ball for itself" && feel.all_answered();
+    return sentence(feel.ball()) == "another client has exclusive use of the ball" &&
+           feel.all_answered();
   }));
-  EXPECT_EQ(sentence(feel.ball()), "another client has the ball for itself");
+  EXPECT_EQ(sentence(feel.ball()), "another client has exclusive use of the ball");
   EXPECT_FALSE(feel.played().back().on_the_ball);
   EXPECT_EQ(feel.summary().pulses, 0);
   EXPECT_EQ(feel.summary().refused, 1);
   Program driver(home, hedgehog_racer(), {"lap", "--speed", "20", "--address", daemon.socket()});
   const Ended lap = wait_renewing(driver, claim);
   EXPECT_EQ(lap.exit_code, 69);
-  EXPECT_THAT(lap.err, HasSubstr("another client has the ball for itself"));
+  EXPECT_THAT(lap.err, HasSubstr("another client has exclusive use of the ball"));
   other.call("device.release");
   EXPECT_TRUE(eventually([&] {
     feel.frame({racer::Skid{0.5}}, 3.0);

@@ -129,7 +129,7 @@ TEST_F(Record, AnUnwritableFileIsRefusedBeforeTheRecording) {
   EXPECT_THAT(missing_folder.err, HasSubstr("there is no folder " + home_.path("nowhere")));
   const Ended unnamed = ctl(daemon, record({"--name", "No Name"}));
   EXPECT_EQ(unnamed.exit_code, kUsage);
-  EXPECT_THAT(unnamed.err, HasSubstr("is no name for a pattern"));
+  EXPECT_THAT(unnamed.err, HasSubstr("is not a valid pattern name"));
   EXPECT_EQ(ctl(daemon, record({"--pointer", "nowhere"})).exit_code, kUsage);
   EXPECT_FALSE(is_written());
 }

@@ -52,7 +52,7 @@ TEST_F(StateFiles, NoneOfThemNeedsToBeARegularFile) {
 TEST_F(StateFiles, AStateThatIsNoRegularFileCountsAsLost) {
   const auto start = [&](const std::string& reason) {
     DaemonProcess daemon(home_);
-    EXPECT_TRUE(daemon.logs("state.json: " + reason + ". Whether the ball had tripped"));
+    EXPECT_TRUE(daemon.logs("state.json: " + reason + ". Latch and temperature are unknown"));
     const Json status = RawClient(daemon.port()).call("device.status");
     EXPECT_EQ(status["state"], "tripped");
     EXPECT_EQ(status["reason"], "state_lost");

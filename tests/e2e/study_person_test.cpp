@@ -134,7 +134,7 @@ TEST_F(Study, ADaemonThatEndsDuringAQuestionLosesNoAnswer) {
   start_daemon(20);
   // A restarted daemon may have another ball: nothing is played without the experimenter's
   // confirmation.
-  ASSERT_TRUE(desk.shows("started anew"));
+  ASSERT_TRUE(desk.shows("was restarted"));
   EXPECT_EQ(count(journal(name), "daemon_changed"), 0);
   EXPECT_EQ(count(journal(name), "trial_started"), 1);
   desk.type("c");

@@ -31,7 +31,7 @@ TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
   EXPECT_TRUE(watch_.shows("SPACE stops   q quits"));
   EXPECT_TRUE(watch_.shows("▲"));
   EXPECT_TRUE(watch_.shows("back"));
-  EXPECT_TRUE(watch_.shows("nothing pushes"));
+  EXPECT_TRUE(watch_.shows("no force"));
   EXPECT_FALSE(watch_.is_restored());
 
   other_.call("events.subscribe", {{"types", {"state_changed"}}});
@@ -115,7 +115,7 @@ TEST(LivePictures, MarkStaleDataAndAStopWithoutResponse) {
     TerminalProgram view(home, hedgehogctl(), verb, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
     ASSERT_TRUE(view.shows("A allowed"));
     daemon.signal(SIGSTOP);
-    EXPECT_TRUE(view.shows("silent: what stands here is old"));
+    EXPECT_TRUE(view.shows("no data from hedgehogd: the values are out of date"));
     view.type(" ");
     EXPECT_TRUE(view.shows("stop sent, no answer: pull the plug"));
     daemon.signal(SIGCONT);

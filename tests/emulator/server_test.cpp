@@ -132,7 +132,7 @@ TEST_F(EmulatorServer, RunsCommandsAndReportsErrors) {
   EXPECT_EQ(command("unplug mti"), "error: mti is not plugged in");
   EXPECT_EQ(command("turn mti 1 0 0 0"), "ok");
   EXPECT_EQ(command("turn mti 0 0 0 0"), "error: turn W X Y Z, not all of them 0");
-  EXPECT_EQ(command("turn board 1 0 0 0"), "error: board does not know turn");
+  EXPECT_EQ(command("turn board 1 0 0 0"), "error: board has no command turn");
   EXPECT_EQ(command("plug fridge"), "error: no device fridge");
   EXPECT_EQ(command(""), "error: no command");
 }

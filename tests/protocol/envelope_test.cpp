@@ -77,7 +77,7 @@ TEST(Envelope, InvalidJsonIsAParseError) {
 TEST(Envelope, AParseErrorHasThePosition) {
   EXPECT_THAT(refused_line(R"({"jsonrpc":"2.0",)").message, HasSubstr("at byte "));
   EXPECT_THAT(refused_line("[1e999]").message, HasSubstr("too large"));
-  EXPECT_THAT(refused_line(R"({"level":1,"level":0})").message, HasSubstr("'level' stands twice"));
+  EXPECT_THAT(refused_line(R"({"level":1,"level":0})").message, HasSubstr("'level' occurs twice"));
 }
 
 TEST(Envelope, NestingIsBoundedHoweverLongTheLine) {

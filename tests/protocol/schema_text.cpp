@@ -40,12 +40,13 @@ std::string_view meaning_of(std::string_view parameter) {
       {"on_close",
        "\"finish\" lets an effect of up to 2000 ms play out after the connection ended."},
       {"slot", "The connection's own name for an effect."},
-      {"priority", "Only the highest active one is felt; 8 and 9 need the role operate."},
-      {"if_limited", "\"refuse\": an error instead of less than what was asked."},
+      {"priority",
+       "Only effects of the highest active priority are output; 8 and 9 need the role operate."},
+      {"if_limited", "\"refuse\": an error instead of a reduced effect."},
       {"effect", "The number of an effect, from its admission."},
       {"scope", "\"all\" for effects of others too."},
       {"client", "Name and version of the client, for the operator."},
-      {"protocol", "The version that the client speaks."},
+      {"protocol", "The protocol version of the client."},
       {"token", "Gives the connection the token's role."},
       {"quaternion", "Device to world, of length 1."},
       {"orientation", "Device to world, of length 1."},
@@ -55,7 +56,7 @@ std::string_view meaning_of(std::string_view parameter) {
       {"method", "A method that plays."},
       {"params", "The parameters of that method."},
       {"ambient_c", "Temperature of the simulated room."},
-      {"fault", "Replaces all simulated faults; {} mends the ball."},
+      {"fault", "Replaces all simulated faults; {} clears them."},
       {"errors", "Replaces all errors of measurement and of the ball; [] ends them."},
   };
   const auto found = kMeanings.find(parameter);
@@ -74,15 +75,15 @@ std::string_view meaning_of(ErrorCode code) {
       return "A parameter is unknown, missing, of the wrong type, out of range, or at odds with "
              "another.";
     case ErrorCode::kInternalError:
-      return "A bug, or the disk: what was asked is done, but not on disk.";
+      return "A bug; or the request was applied, but not written to disk.";
     case ErrorCode::kNotArmed:
       return "Nothing can be played: state, reason and remedy say why.";
     case ErrorCode::kBusy:
-      return "Something is full or stopping; nothing was changed.";
+      return "A queue or pool is full, or the daemon is stopping; nothing was changed.";
     case ErrorCode::kNoSuchEffect:
-      return "It has ended, or is somebody else's.";
+      return "The effect has ended, or belongs to another connection.";
     case ErrorCode::kUnauthorized:
-      return "The token is not known.";
+      return "The token is unknown or revoked.";
     case ErrorCode::kForbidden:
       return "It needs role_needed.";
     case ErrorCode::kDeviceAbsent:
@@ -90,11 +91,11 @@ std::string_view meaning_of(ErrorCode code) {
     case ErrorCode::kUnsupported:
       return "Not by this server, not in this configuration.";
     case ErrorCode::kRefusedThermal:
-      return "Heat would make it less than asked, and if_limited is refuse.";
+      return "The thermal limit would reduce the effect, and if_limited is refuse.";
     case ErrorCode::kNoSuchPattern:
       return "There is no pattern of that name.";
     case ErrorCode::kClaimed:
-      return "Another client has the ball for itself, or feeds its orientation.";
+      return "Another client has exclusive use of the ball, or sets its orientation.";
     case ErrorCode::kArmed:
       return "It is refused while the ball is armed.";
   }

@@ -29,9 +29,10 @@ TEST_F(BallWarning, AnImplausibleFanSpeedIsReportedOnceAndItsRecoveryToo) {
   now.board.fan_rpm = 14'400.0;
   const auto sentences = new_warnings();
   ASSERT_EQ(sentences.size(), 1u);
-  EXPECT_EQ(sentences[0].find("the fan's tachometer shows 14400/min, and a fan of 7200/min that "
-                              "cools shows 5040 to 10800: it counts as standing."),
-            0u);
+  EXPECT_EQ(
+      sentences[0].find("the fan's tachometer shows 14400/min; a working fan of 7200/min shows "
+                        "5040 to 10800: the fan is treated as stopped."),
+      0u);
   EXPECT_TRUE(new_warnings().empty());
   now.fan_works = true;
   EXPECT_EQ(new_warnings().size(), 1u);

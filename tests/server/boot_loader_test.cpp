@@ -22,9 +22,9 @@ TEST_F(BootLoader, IsNotForAnArmedBall) {
   rig.run(100);
   const Json refused = rig.call(owner, kMethod);
   EXPECT_EQ(refused["code"], -32010);
-  EXPECT_EQ(
-      refused["message"],
-      "armed: only a ball that is not armed goes into its boot loader. Run: hedgehogctl stop");
+  EXPECT_EQ(refused["message"],
+            "armed: the boot loader can be entered only while the ball is not armed. Run: "
+            "hedgehogctl stop");
   EXPECT_EQ(refused["data"],
             Json({{"name", "armed"}, {"state", "armed"}, {"remedy", "Run: hedgehogctl stop"}}));
   rig.run(200);
@@ -98,8 +98,8 @@ TEST_F(BootLoader, AnUnsupportingBoardGetsNoRequest) {
   const Json refused = rig.call(owner, kMethod);
   EXPECT_EQ(refused["code"], -32006);
   EXPECT_EQ(refused["message"],
-            "unsupported: the board speaks 1.1 of the board protocol, and only from 1.2 on can it "
-            "be asked into its boot loader; unplug it and hold BOOTSEL while plugging it in");
+            "unsupported: the board speaks 1.1 of the board protocol; entering the boot loader on "
+            "request requires 1.2 or later; unplug it and hold BOOTSEL while plugging it in");
   rig.run(300);
   EXPECT_EQ(status()["state"], "disarmed");
 }
@@ -118,7 +118,7 @@ TEST_F(BootLoader, ABoardThatDoesNotEnterItIsReported) {
   }
   ASSERT_FALSE(owner.lines.empty());
   const Json error = Json::parse(owner.lines.front().text)["error"];
-  EXPECT_EQ(error["message"], "busy: the board has not gone into its boot loader");
+  EXPECT_EQ(error["message"], "busy: the board has not entered its boot loader");
   EXPECT_EQ(error["data"]["retry_after_ms"], 1000);
 }
 

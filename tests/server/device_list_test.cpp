@@ -71,7 +71,7 @@ TEST(DeviceList, SensorsAreMatchedWithTheConfiguration) {
   auto seen = seen_devices({mti, awinda, stick}, {temper(7)}, known);
   ASSERT_EQ(seen.devices.size(), 3u);
   EXPECT_EQ(seen.devices[0].why_not, "imu.type in the configuration is \"none\", not \"mti\"");
-  EXPECT_EQ(seen.devices[1].why_not, "only its maker's own closed software speaks with it");
+  EXPECT_EQ(seen.devices[1].why_not, "only the manufacturer's closed software supports it");
   EXPECT_EQ(seen.devices[2].why_not, "thermometer.type in the configuration is not \"temper\"");
 
   known.lines = {{"imu", "mti", {true, "MTi-30 (2639:0003)", 1}},

@@ -27,7 +27,8 @@ TEST(Held, RequestsBeforeAStopStartNothingAfterIt) {
   EXPECT_EQ(rig.call(client, "device.claim")["code"], -32001);
   const Json arm = rig.call(client, "device.arm");
   EXPECT_EQ(arm["code"], -32001);
-  EXPECT_EQ(arm["message"], "busy: an emergency stop, or the connection's end, came after it");
+  EXPECT_EQ(arm["message"],
+            "busy: superseded by a later emergency stop, or by the end of the connection");
   EXPECT_EQ(rig.call(client, "device.status")["state"], "disarmed");
   EXPECT_EQ(rig.call(client, "device.emergency_stop")["state"], "disarmed");
   client.session.bypassed = 0;

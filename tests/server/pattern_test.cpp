@@ -100,12 +100,12 @@ TEST(Patterns, ADiskErrorIsReported) {
   FakeClient& game = rig.connect();
   const Json put = rig.call(game, "pattern.put", knock());
   EXPECT_EQ(put["code"], -32603);
-  EXPECT_EQ(
-      put["message"],
-      "internal_error: done, but not surely on disk, so a restart may forget it: no space left");
+  EXPECT_EQ(put["message"],
+            "internal_error: applied, but writing to disk failed, so a restart may undo it: no "
+            "space left");
   const Json removed = rig.call(game, "pattern.remove", {{"name", "acme/knock"}});
   EXPECT_EQ(removed["message"],
-            "internal_error: done, but not surely on disk, so a restart may bring it back: no "
+            "internal_error: applied, but writing to disk failed, so a restart may undo it: no "
             "space left");
 }
 

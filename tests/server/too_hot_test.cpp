@@ -47,16 +47,17 @@ TEST_F(TooHot, AnArmedBallThatMayNotReportsTheHotPart) {
   snapshot_.thermal.hottest_c = 143.2;
   show();
   EXPECT_EQ(view_.reason_now(), "too_hot");
-  EXPECT_EQ(
-      view_.remedy_now(),
-      "Wait until the hottest winding is below 67 °C; by what was measured it may be at 143 °C");
+  EXPECT_EQ(view_.remedy_now(),
+            "Wait until the hottest winding is below 67 °C; the upper bound of its temperature is "
+            "143 °C");
   snapshot_.thermal.hottest_c = 50.0;
   snapshot_.skin.bound_c = 47.6;
   show();
-  EXPECT_EQ(view_.remedy_now(), "Wait until the shell is cooler: it may get as warm as 48 °C");
+  EXPECT_EQ(view_.remedy_now(),
+            "Wait until the shell is cooler: the upper bound of its temperature is 48 °C");
   snapshot_.skin.bound_c = std::numeric_limits<double>::infinity();
   show();
-  EXPECT_EQ(view_.remedy_now(), "Wait: how warm the shell is has not been measured");
+  EXPECT_EQ(view_.remedy_now(), "Wait until the temperature of the shell has been measured");
 }
 
 TEST_F(TooHot, ABallThatIsNotArmedKeepsItsOwnReason) {

@@ -112,7 +112,7 @@ std::string Traffic::reason_of_close(const Peer& peer) {
   if (peer.number() && log_.has_line("connection " + std::to_string(*peer.number()) + " (", is_cut))
     return "does not read";
   const std::string from = peer.address().empty() ? "unix" : peer.address();
-  if (!peer.has_received() && log_.has_line("a client from " + from, "is turned away"))
+  if (!peer.has_received() && log_.has_line("client from " + from, "rejected"))
     return "too many clients";
   return {};
 }
@@ -155,8 +155,8 @@ e2e::Json Traffic::call(const std::string& method, const e2e::Json& params) {
 }
 
 void Traffic::reload(const std::string& configuration, bool is_good, double current_a) {
-  const std::string report = is_good ? "configuration reloaded" : "the old one stays";
-  const std::string rejected = "the new limits were not taken";
+  const std::string report = is_good ? "configuration reloaded" : "the old one remains in effect";
+  const std::string rejected = "the new limits were not applied";
   const std::size_t before = log_.count(report);
   const std::size_t rejections = log_.count(rejected);
   home_.configure(configuration);

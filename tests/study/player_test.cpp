@@ -54,7 +54,7 @@ TEST(Player, ACircleThatNeverEndsIsAnErrorWhenItIsOverdue) {
   const FakeDaemon daemon(endless_circle(2'000));
   const auto played = play_with(daemon);
   ASSERT_FALSE(played.has_value());
-  EXPECT_THAT(played.error().message, HasSubstr("never said that the circle ended"));
+  EXPECT_THAT(played.error().message, HasSubstr("no effect_ended event was received"));
   EXPECT_NE(played.error().failure, client::Failure::kRefused);
 }
 
@@ -63,7 +63,7 @@ TEST(Player, ADaemonThatFallsSilentIsAnError) {
   const auto played = play_with(
       daemon, [] { return false; }, 100ms);
   ASSERT_FALSE(played.has_value());
-  EXPECT_THAT(played.error().message, HasSubstr("fallen silent"));
+  EXPECT_THAT(played.error().message, HasSubstr("no telemetry"));
   EXPECT_NE(played.error().failure, client::Failure::kRefused);
 }
 

@@ -42,7 +42,7 @@ FakeDaemon::Script daemon_of(json responses, std::string last, std::atomic<int>&
 /// of wait().
 class ScriptedDesk : public Desk {
  public:
-  explicit ScriptedDesk(Input::Kind word, std::string message = "started anew", int calls = 20)
+  explicit ScriptedDesk(Input::Kind word, std::string message = "was restarted", int calls = 20)
       : word_(word), awaited_(std::move(message)), calls_(calls) {}
   void show(const View& view) override { message_ = view.message; }
   Input wait(std::chrono::milliseconds) override {

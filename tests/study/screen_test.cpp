@@ -30,7 +30,7 @@ TEST(Fault, IsAnyIncompleteDelivery) {
   EXPECT_EQ(fault([](auto& p) { p.mixed_ms = 1; }), "interval 2 was mixed with another effect");
   EXPECT_EQ(fault([](auto& p) { p.reason = "tripped"; }), "interval 2 ended as tripped");
   EXPECT_EQ(fault([](auto& p) { p.onset_ns.reset(); }), "interval 2 never began");
-  const std::string undelivered = "interval 2 ended without a word on how it was delivered";
+  const std::string undelivered = "interval 2 ended without a delivery report";
   EXPECT_EQ(fault([](auto& p) { p.delivered_min.reset(); }), undelivered);
   EXPECT_EQ(fault([](auto& p) { p.masked_ms.reset(); }), undelivered);
   EXPECT_EQ(fault([](auto& p) { p.mixed_ms.reset(); }), undelivered);

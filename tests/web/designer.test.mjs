@@ -132,14 +132,14 @@ test("a pattern saved in the daemon is listed there, and a refusal has its reaso
   await threeFrames();
   await page.locator("[name=name]").fill("acme/wave");
   await page.getByRole("button", { name: "Keep in the daemon" }).click();
-  await until(() => document.getElementById("said").textContent === "acme/wave is kept by the daemon");
+  await until(() => document.getElementById("said").textContent === "acme/wave is stored in the daemon");
   const { keyframes, duration_ms } = await daemon.call("pattern.get", { name: "acme/wave" });
   assert.equal(duration_ms, 1500);
   assert.deepEqual(keyframes.map(({ t_ms }) => t_ms), [0, 700, 1500]);
   assert.equal((await daemon.call("effect.play", { pattern: "acme/wave", on_close: "finish" })).current_a > 0, true);
   await page.locator("[name=name]").fill("No Name");
   await page.getByRole("button", { name: "Keep in the daemon" }).click();
-  await until(() => /is no name for a pattern/.test(document.getElementById("said").textContent));
+  await until(() => /is not a valid pattern name/.test(document.getElementById("said").textContent));
   assert.equal(await page.locator("#said.bad").count(), 1);
   await page.getByRole("button", { name: "Clear" }).click();
   await page.getByRole("button", { name: "Keep in the daemon" }).click();
@@ -185,7 +185,7 @@ test("a file's wave is forecast, played, kept and saved, with the members that t
   const { waveform, frequency_hz, on_fraction } = sent.find(({ method }) => method === "effect.play").params;
   assert.deepEqual([waveform, frequency_hz, on_fraction], ["square", 2, 0.5]);
   await page.getByRole("button", { name: "Keep in the daemon" }).click();
-  await until(() => document.getElementById("said").textContent === "acme/blink is kept by the daemon");
+  await until(() => document.getElementById("said").textContent === "acme/blink is stored in the daemon");
   const { duration_ms, shipped, ...kept } = await daemon.call("pattern.get", { name: "acme/blink" });
   assert.deepEqual([duration_ms, shipped], [1000, false]);
   assert.deepEqual(kept, file);

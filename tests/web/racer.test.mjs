@@ -135,7 +135,7 @@ test("the end and the silence of a game are reported, and the page reconnects", 
   pageErrors.expected = true;
   await racer.end("SIGKILL");
   await page.waitForSelector("body[data-link=gone]", kTimeout);
-  assert.match(await page.textContent("#gone"), /The game is gone \(it ended without a word\)/);
+  assert.match(await page.textContent("#gone"), /The game is gone \(closed without a reason\)/);
   await startRacer({ more: ["--driver"] });
   await page.waitForSelector("body[data-link=open]", kTimeout);
   assert.match(await page.textContent("#gone"), /The game is back/);

@@ -60,7 +60,7 @@ for (const path of ["/", "/designer.html", "/orientation.html"]) {
 test("a wrong token is reported, and a right one accepted after it; a reload prompts no more", async () => {
   await open();
   await show("hht_guess");
-  await page.getByText("The daemon does not know this token.").waitFor(kTimeout);
+  await page.getByText("The token is unknown or revoked.").waitFor(kTimeout);
   await show(tokens.play);
   await opened();
   assert.match(await page.textContent("#version"), /role play/);
@@ -95,7 +95,7 @@ test("a revoked token ends the page's connection, and is prompted for again", as
   daemon.token("revoke", "arcade");
   daemon.process.kill("SIGHUP");
   await page.waitForSelector("body[data-link=locked]", kTimeout);
-  await page.getByText("The daemon does not know this token.").waitFor(kTimeout);
+  await page.getByText("The token is unknown or revoked.").waitFor(kTimeout);
 });
 
 test("the emergency stop reaches the daemon while the page's connection hangs", async () => {

@@ -26,7 +26,7 @@ class Loader {
     if (volumes.size() > 1) {
       return Result<LoadedBy>(Problem{kUnavailable, "two boards are in their boot loaders, " +
                                                         volumes[0] + " and " + volumes[1] +
-                                                        ": --volume says which is the ball's"});
+                                                        ": select the ball's with --volume"});
     }
     if (!volumes.empty()) {
       std::string why = copy_to_volume(volumes[0], load_.content);
@@ -78,7 +78,7 @@ Result<LoadedBy> load_image(const ImageLoad& load) {
   for (;;) {
     if (auto loaded = loader.try_once()) return *std::move(loaded);
     if (interrupted())
-      return Problem{kInterrupted, "interrupted; the board waits in its boot loader"};
+      return Problem{kInterrupted, "interrupted; the board stays in its boot loader"};
     if (std::chrono::steady_clock::now() >= deadline) return loader.give_up();
     ::poll(nullptr, 0, kPauseMs);
   }

@@ -30,7 +30,7 @@ std::uint32_t word(Block block, std::size_t at) noexcept {
 std::string check_head(Block block, std::uint32_t number, std::uint32_t count) {
   if (word(block, 0) != kMagicFirst || word(block, 4) != kMagicSecond ||
       word(block, kUf2BlockBytes - 4) != kMagicLast)
-    return "is none of a UF2 file: its magic numbers are wrong";
+    return "is not a UF2 block: wrong magic numbers";
   const std::uint32_t flags = word(block, 8);
   if ((flags & kFamilyPresent) == 0) return "does not name the chip that it is for";
   if (const std::uint32_t family = word(block, 28); family != kRp2040) {
@@ -39,7 +39,7 @@ std::string check_head(Block block, std::uint32_t number, std::uint32_t count) {
   }
   if ((flags & kNotForFlash) != 0) return "is not for the flash";
   if (const std::uint32_t bytes = word(block, 16); bytes != kUf2PayloadBytes)
-    return fmt::format("brings {} bytes instead of {}", bytes, kUf2PayloadBytes);
+    return fmt::format("has a payload of {} bytes instead of {}", bytes, kUf2PayloadBytes);
   if (const std::uint32_t counted = word(block, 24); counted != count)
     return fmt::format("counts {} blocks, and the file has {}", counted, count);
   if (const std::uint32_t given = word(block, 20); given != number)

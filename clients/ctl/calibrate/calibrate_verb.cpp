@@ -63,7 +63,7 @@ int calibrate_heat(Session& session, const CalibrateOptions& options, const Push
     const std::string why =
         earlier ? incompatible(*earlier, before, status->temperature_c) : "it is damaged";
     if (!why.empty()) {
-      print_error(path + " cannot go on: " + why + ". Remove it to begin anew");
+      print_error(path + " cannot be resumed: " + why + ". Remove it to start over");
       return kBadData;
     }
     progress = *std::move(earlier);

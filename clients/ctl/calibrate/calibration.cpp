@@ -200,7 +200,7 @@ std::string device_file(const Calibration& measured, const protocol::Description
           "Celsius, supply {:.2f} V.\n",
           measured.current_a, measured.sensor_c, measured.supply_v) +
       (measured.unrest.empty() ? "" : "// Forced: " + measured.unrest + ".\n") +
-      "// The protocol does not tell model, removed_pins, removed_shields, front_pin, "
+      "// The protocol does not report model, removed_pins, removed_shields, front_pin, "
       "pin_magnet_mm,\n"
       "// shield_magnet_mm, remanence_t, sphere_mm, usb and usb_serial: copy them "
       "from the file before,\n"

@@ -116,8 +116,9 @@ Outcome<model::HeatSample> HeatBench::run(const model::HeatingStep& step) {
     const double t_s = 1e-9 * static_cast<double>(last.time_ns);
     if (now_s_ < 0.0) from_s = now_s_ = t_s;
     if (t_s > now_s_ + kMaxGapS) {
-      return ClientError{
-          Failure::kTimeout, "telemetry stopped for a second: let this computer do less", {}};
+      return ClientError{Failure::kTimeout,
+                         "telemetry stopped for a second: reduce the load of this computer",
+                         {}};
     }
     now_s_ = t_s;
     if (!last.supply_v) return measuring_failed("the daemon does not report the supply voltage");

@@ -124,7 +124,8 @@ std::string incompatible(const HeatProgress& progress, const protocol::Descripti
     return "it was measured on another ball, or with another device file in force";
   const double cooler_k = progress.windings.sensor_c - reference_c(now);
   if (cooler_k > kMaxAmbientFallK)
-    return "the ball is " + fixed(cooler_k, 1) + " K cooler than at its start: the room is another";
+    return "the ball is " + fixed(cooler_k, 1) +
+           " K cooler than at its start: the ambient temperature has changed";
   return {};
 }
 

@@ -77,7 +77,7 @@ int stopped(const ClientError& error, const HeatProgressFile& file) {
     std::fputs("hedgehogctl calibrate: interrupted; the coils are off. ", stderr);
   else
     report_error(error);
-  std::fprintf(stderr, "The same command goes on from what %s has.\n", file.path().c_str());
+  std::fprintf(stderr, "Repeat the command to resume from %s.\n", file.path().c_str());
   return interrupted() ? static_cast<int>(kInterrupted) : exit_code_of(error);
 }
 
@@ -97,7 +97,7 @@ void print_found(const model::ThermalFound& found) {
         found.deviation.core_to_ambient_fan_k_w, "K/W");
   value("  to the room, no fan", found.thermal.core_to_ambient_still_k_w,
         found.deviation.core_to_ambient_still_k_w, "K/W");
-  std::printf("  The thermometer sits on winding %c, %s s behind%s.\n",
+  std::printf("  The thermometer is on winding %c, lag %s s%s.\n",
               "xyz"[found.thermal.sensor_winding], fixed(found.thermal.sensor_lag_s, 1).c_str(),
               found.sensor_certain ? "" : " (not certain)");
 }
@@ -114,8 +114,8 @@ int heat_and_cool(Session& session, const protocol::Description& ball, HeatProgr
   for (std::size_t k = 0; k < step; ++k) done_s += plan[k].duration_s;
   std::fprintf(session.json ? stderr : stdout,
                "%s and cooling for %s minutes: on a table, in still air, not in a hand.\n"
-               "Ctrl-C interrupts; the same command goes on.\n",
-               step == 0 ? "Heating" : "Going on heating",
+               "Ctrl-C interrupts; repeat the command to resume.\n",
+               step == 0 ? "Heating" : "Resuming heating",
                fixed(std::ceil((model::duration_s(plan) - done_s) / 60.0), 0).c_str());
   HeatBench bench(session, ball.coils);
   if (auto begun = bench.begin(); !begun) return stopped(begun.error(), file);
@@ -146,7 +146,7 @@ int fit_heat(const Session& session, const HeatProgress& progress,
   if (!thermal) {
     return print_error(
         "what was measured does not fit a ball of three windings around a core to 20 %: was it "
-        "moved, held, or in a draught? Remove the .progress file and begin anew");
+        "moved, held, or in a draught? Remove the .progress file and start over");
   }
   found.thermal = thermal;
   if (!session.json) print_found(*thermal);

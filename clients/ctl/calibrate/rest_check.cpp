@@ -95,7 +95,7 @@ std::string minutes_text(double seconds) {
 RestDeviation rest_deviation(const protocol::TemperatureStatus& t,
                              const protocol::ThermalDescription& thermal) {
   if (!t.model || !t.upper)
-    return {"the daemon does not know yet how warm the windings are", 20.0, kUnsureS};
+    return {"the temperatures of the windings are not known yet", 20.0, kUnsureS};
   const Apart most = farthest(t);
   if (std::abs(most.k) > kMaxApartK) {
     return {most.node + " is " + fixed(std::abs(most.k), 1) + " K " +
@@ -111,8 +111,8 @@ RestDeviation rest_deviation(const protocol::TemperatureStatus& t,
   }
   const double uncertainty_k = *t.upper - *t.model;
   if (uncertainty_k > kMaxUncertaintyK) {
-    return {"the daemon has not watched the ball for long: a winding may be " +
-                fixed(uncertainty_k, 0) + " K warmer than it knows",
+    return {"the thermal estimate has not converged: a winding may be " + fixed(uncertainty_k, 0) +
+                " K warmer than estimated",
             uncertainty_k, kUnsureS};
   }
   return {{}, std::abs(most.k), 0.0};

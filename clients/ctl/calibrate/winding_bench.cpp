@@ -85,8 +85,8 @@ Outcome<WindingRecord> WindingBench::record(int coil, double take_s, double flow
     if (t_s > *began + kSettleS + take_s && record.samples.size() >= kMinSamples) break;
     if (t_s > flows_until_s) {
       return ClientError{Failure::kTimeout,
-                         "telemetry came too sparsely to measure a winding: let this computer or "
-                         "the network do less, then calibrate again",
+                         "telemetry rate too low to measure a winding: reduce the load of this "
+                         "computer or the network, then calibrate again",
                          {}};
     }
     if (!status->supply_v) return measuring_failed("the daemon does not report the supply voltage");

@@ -131,7 +131,7 @@ class Windings {
   int measure_again() {
     found_.resistance_share = kGuessedShare;
     if (!all_known()) return kDone;
-    std::fprintf(text_, "A second look at the windings, %s s after the first.\n",
+    std::fprintf(text_, "Second measurement of the windings, %s s after the first.\n",
                  fixed(kMinIntervalS, 0).c_str());
     std::fflush(text_);
     if (auto waited = bench_.wait_until(first_.t_s + kMinIntervalS); !waited)
@@ -191,14 +191,15 @@ class Windings {
     found_.inductance_h[i] = impedance->inductance_h;
     found_.supply_v = seen->forth.supply_v;
     found_.current_a = std::max(found_.current_a, std::abs(seen->forth.mean_a[i]));
-    std::fprintf(text_, "  %c  %s ohm at %s °C, %s at 25 °C   %s mH   current as asked\n",
+    std::fprintf(text_, "  %c  %s ohm at %s °C, %s at 25 °C   %s mH   current as commanded\n",
                  kAxisNames[coil], fixed(resistance_ohm, 4).c_str(),
                  fixed(found_.sensor_c, 1).c_str(), fixed(found_.r25_ohm[i], 4).c_str(),
                  fixed(1000.0 * found_.inductance_h[i], 3).c_str());
     if (std::abs(found_.r25_ohm[i] / before_.coils.r25_ohm[i] - 1.0) > kOdd) {
-      std::fprintf(text_,
-                   "     The file until now says %s: is it wound so, or a bad contact, a short?\n",
-                   fixed(before_.coils.r25_ohm[i], 4).c_str());
+      std::fprintf(
+          text_,
+          "     The present device file has %s: another winding, a bad contact or a short?\n",
+          fixed(before_.coils.r25_ohm[i], 4).c_str());
     }
     std::fflush(text_);
     return kDone;
@@ -227,15 +228,13 @@ class Windings {
 
   int determine_sides() {
     if (!interactive_) {
-      if (!coil_matrix(found_.pushed)) {
-        std::fputs("The coil matrix stays as it was: nobody said which side each winding pushes.\n",
-                   text_);
-      }
+      if (!coil_matrix(found_.pushed))
+        std::fputs("The coil matrix is unchanged: the sides were not given (--pushed).\n", text_);
       return kDone;
     }
     if (!all_known()) {
       std::fputs(
-          "The coil matrix stays as it was: the resistances in force are too far from these\n"
+          "The coil matrix is unchanged: the resistances in force are too far from these\n"
           "for a push that can be felt. Start hedgehogd with the new file, then calibrate\n"
           "once more: you will be asked which side each winding pushes.\n",
           text_);

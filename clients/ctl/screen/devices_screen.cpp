@@ -71,11 +71,9 @@ std::vector<std::string> devices_screen(const protocol::DevicesResult& seen,
     lines.push_back(left("  missing", kNameAt));
     append_wrapped(lines, missing.use + ": " + missing.why, kNameAt, width);
   }
-  if (lines.empty()) lines.emplace_back("  nothing that hedgehogd knows is connected");
-  if (seen.others > 0) {
-    lines.push_back("  and " + std::to_string(seen.others) + " more that " +
-                    (seen.others == 1 ? "is" : "are") + " nothing to hedgehogd");
-  }
+  if (lines.empty()) lines.emplace_back("  no supported device is connected");
+  if (seen.others > 0)
+    lines.push_back("  and " + std::to_string(seen.others) + " more that hedgehogd does not use");
   return lines;
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> history_screen(const protocol::HistoryResult& history) 
     lines.push_back("  " + clock_of(past.at) + "  " + event_words(past.event) +
                     (past.client ? " (" + *past.client + ")" : "") + series_words(past));
   }
-  if (lines.empty()) lines.emplace_back("  nothing has happened since");
+  if (lines.empty()) lines.emplace_back("  no events");
   return lines;
 }
 

@@ -58,7 +58,7 @@ std::string pin_line(const Ball& ball, std::size_t pin, bool ascii) {
 }  // namespace
 
 std::string aimed_pin_words(const protocol::Status& status) {
-  if (!status.pin) return "nothing pushes";
+  if (!status.pin) return "no force";
   const auto pin = static_cast<std::size_t>(*status.pin);
   const std::string out =
       pin < common_size(status.pins) ? ", " + fixed(status.pins.extension_mm[pin], 2) + " mm" : "";

@@ -17,7 +17,7 @@ std::vector<std::string> pins_screen(const Ball& ball, const ScreenStyle& style)
 /// One line for a pipe: "  12.30 s    5.0 A   0.062 N   +0.077 mm at pin 34   25 out, 40 in".
 std::string pins_line(const protocol::Status& status);
 
-/// "0.062 N, 0.08 mm at pin 34", or "nothing pushes".
+/// "0.062 N, 0.08 mm at pin 34", or "no force".
 std::string aimed_pin_words(const protocol::Status& status);
 
 }  // namespace hedgehog::client

@@ -51,7 +51,7 @@ double span_of(const std::vector<double>& values) {
 std::string percent(double ratio) { return fixed(100.0 * ratio, 0) + " %"; }
 
 std::string limits_words(const protocol::PreviewResult& preview) {
-  if (!preview.limited_by) return "nothing: all of it is felt";
+  if (!preview.limited_by) return "nothing: full strength";
   if (*preview.limited_by != "thermal") return "the owner's gain";
   const double from_s = static_cast<double>(preview.limited_from_ms.value_or(0)) / 1000.0;
   return "heat, from " + fixed(from_s, 2) + " s on: " + percent(preview.delivered.mean) +
@@ -71,7 +71,7 @@ std::vector<std::string> preview_screen(const std::string& what,
     for (const auto& duty : preview.duty) max_duty = std::max(max_duty, std::abs(duty[axis]));
   }
   std::vector<std::string> lines{what + ", " + std::to_string(preview.duration_ms) +
-                                 " ms, if it began now. Nothing has moved."};
+                                 " ms, if it were started now. Nothing was played."};
   for (std::size_t axis = 0; axis < curves.size(); ++axis) {
     const auto [lowest, highest] =
         std::minmax_element(preview.current_a.begin(), preview.current_a.end(),

@@ -28,7 +28,7 @@ std::string title_line(const Ball& ball, const ScreenStyle& style) {
 }
 
 std::string force_line(const Status& status) {
-  if (!status.pin) return row("force", "0.000 N", "nothing pushes");
+  if (!status.pin) return row("force", "0.000 N", "no force");
   return row(
       "force", fixed(status.force_n, 3) + " N",
       "at pin " + std::to_string(*status.pin) + ", " + std::string(model::side_name(status.field)));
@@ -37,8 +37,8 @@ std::string force_line(const Status& status) {
 std::string headroom_line(const Ball& ball) {
   const Status& status = ball.status;
   if (!status.temperature_c.model)
-    return row("headroom", "unknown", "nothing may flow until the temperature is known");
-  if (status.state != "armed") return row("headroom", "none", "nothing may flow");
+    return row("headroom", "unknown", "no current is allowed until the temperature is known");
+  if (status.state != "armed") return row("headroom", "none", "no current is allowed");
   std::string behind = "at this current";
   if (status.burst_s) {
     behind += "; " + fixed(ball.hello.limits.current_a, 0) + " A for " +

@@ -36,7 +36,7 @@ std::vector<std::string> trips_screen(const protocol::HistoryResult& history,
   if (history.more)
     lines.emplace_back("  older ones are not shown");
   else if (lines.empty())
-    lines.emplace_back("  it has not tripped");
+    lines.emplace_back("  no trips");
   return lines;
 }
 

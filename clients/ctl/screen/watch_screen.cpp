@@ -28,14 +28,14 @@ std::size_t free_columns(const ScreenStyle& style) {
 std::string push_words(const protocol::Status& status) {
   return status.pin ? fixed(current_norm_a(status), 1) + " A, " + fixed(status.force_n, 3) +
                           " N at pin " + std::to_string(*status.pin)
-                    : "nothing pushes";
+                    : "no force";
 }
 
 std::string headroom_words_of(const Ball& ball) {
   const protocol::Status& status = ball.status;
   if (!status.temperature_c.model)
-    return row("headroom", "unknown", "nothing may flow until the temperature is known");
-  if (status.state != "armed") return row("headroom", "none", "nothing may flow");
+    return row("headroom", "unknown", "no current is allowed until the temperature is known");
+  if (status.state != "armed") return row("headroom", "none", "no current is allowed");
   std::string behind = status.derating ? "derated now" : "at this current";
   if (status.burst_s) {
     behind +=

@@ -21,7 +21,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kReload =
-    "The daemon takes it over at its next start, or: sudo systemctl reload hedgehogd\n";
+    "The daemon loads it at its next start, or: sudo systemctl reload hedgehogd\n";
 constexpr std::size_t kMaxPemBytes = std::size_t{64} * 1024;
 
 std::string folder_of(const TokenOptions& options) {
@@ -145,7 +145,7 @@ int run_token_revoke(const CommonOptions& common, const TokenOptions& options) {
     std::printf("%s\n", ordered_json{{"revoked", options.name}}.dump().c_str());
     return kDone;
   }
-  std::fprintf(stderr, "%s is revoked; its connections end when the daemon takes it over.\n",
+  std::fprintf(stderr, "%s is revoked; its connections end when the daemon reloads the tokens.\n",
                options.name.c_str());
   if (tokens->empty())
     std::fputs(

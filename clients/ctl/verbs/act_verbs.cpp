@@ -18,9 +18,8 @@ int run_stop(Session& session) {
   const auto stopped = protocol::decode_result<protocol::StateResult>(*text);
   if (stopped && !stopped->on_disk.value_or(true)) {
     std::fputs(
-        "The stop is not on the daemon's disk (its log says why): a kill of the daemon or a loss "
-        "of "
-        "power may forget it\n",
+        "The stop is not on the daemon's disk (its log says why): the latch may be lost if the "
+        "daemon is killed or power fails\n",
         stderr);
   }
   return kDone;

@@ -46,7 +46,7 @@ class Liveness {
     while (connection_.response()) unanswered_ = false;
     const auto now = Clock::now();
     if (unanswered_ && now - stopped_at_ > kAnswers) return "stop sent, no answer: pull the plug";
-    return now - received_at_ > kSilent ? "hedgehogd is silent: what stands here is old" : "";
+    return now - received_at_ > kSilent ? "no data from hedgehogd: the values are out of date" : "";
   }
 
  private:

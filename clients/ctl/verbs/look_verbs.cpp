@@ -80,7 +80,7 @@ int run_clients(Session& session) {
                 left(id_words(info.pid) + " ", 9).c_str(),
                 left(protocol::name(info.role), 10).c_str(),
                 left(time_words(info.since_s), 14).c_str(), plays.empty() ? "-" : plays.c_str(),
-                info.claimed ? "  (the ball is its alone)" : "");
+                info.claimed ? "  (exclusive use)" : "");
   }
   return kDone;
 }

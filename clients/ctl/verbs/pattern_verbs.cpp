@@ -37,7 +37,7 @@ int put(Session& session, const protocol::Pattern& pattern) {
     return kDone;
   }
   const std::string more = more_to_play(pattern);
-  std::printf("%s is kept: hedgehogctl play %s%s\n", pattern.name.c_str(), pattern.name.c_str(),
+  std::printf("%s is stored: hedgehogctl play %s%s\n", pattern.name.c_str(), pattern.name.c_str(),
               more.empty() ? "" : (" " + more).c_str());
   return kDone;
 }
@@ -77,7 +77,7 @@ int run_pattern_put(Session& session, const std::string& file) {
 int run_pattern_remove(Session& session, const std::string& name) {
   const auto response = session.connection.call_text(protocol::PatternRemove{name});
   if (!response) return report_error(response.error());
-  std::puts(session.json ? response->c_str() : (name + " is gone").c_str());
+  std::puts(session.json ? response->c_str() : (name + " is removed").c_str());
   return kDone;
 }
 

@@ -213,7 +213,7 @@ $("save").addEventListener("click", () => {
 });
 $("keep").addEventListener("click", () => {
   if (!frames.playable()) return showMessage("There is nothing to keep yet.", true);
-  return ask("pattern.put", pattern(), ({ name }) => showMessage(`${name} is kept by the daemon`));
+  return ask("pattern.put", pattern(), ({ name }) => showMessage(`${name} is stored in the daemon`));
 });
 $("load").addEventListener("change", async () => {
   const [file] = $("load").files;

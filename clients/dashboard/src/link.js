@@ -79,7 +79,7 @@ export class Link extends EventTarget {
 
   lost() {
     this.ready = false;
-    for (const { reject } of this.waiting.values()) reject(new Error("the daemon is gone"));
+    for (const { reject } of this.waiting.values()) reject(new Error("no connection to the daemon"));
     this.waiting.clear();
     if (this.locked) return;
     this.emit("gone", { reason: this.closeReason, retryInMs: this.pauseMs });
@@ -133,7 +133,7 @@ export class Link extends EventTarget {
   }
 
   call(method, params = {}) {
-    if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("the daemon is gone"));
+    if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("no connection to the daemon"));
     const id = ++this.nextId;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
@@ -168,7 +168,7 @@ export class Link extends EventTarget {
         };
         socket.onclose = () => {
           clearTimeout(timeoutId);
-          reject(new Error("the daemon is gone"));
+          reject(new Error("no connection to the daemon"));
         };
       }, kSecondMs);
       here.then(() => clearTimeout(timer), () => {});

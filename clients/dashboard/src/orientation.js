@@ -64,7 +64,7 @@ link.addEventListener("telemetry", ({ detail: status }) => {
   const up = status.orientation ? whither(status.orientation.up) : null;
   $("caption").textContent = status.state !== "armed"
     ? `${reason(status.reason)} ${status.remedy ?? ""}`
-    : !up ? "No orientation sensor: nobody knows which way is up."
+    : !up ? "No orientation sensor: the direction of up is unknown."
     : `Up in the room is the ball's ${up}${flows > 0.2 ? `; pushes there with ${amperes(flows)}` : ""}`;
   if (lapsed && status.state !== "armed") over("The coils are off");
   if (lapsed && status.orientation?.age_ms <= kStaleMs) start();
@@ -181,7 +181,7 @@ async function turned(event) {
 link.addEventListener("gone", () => { feed = null; });
 $("phone").addEventListener("click", async () => {
   if (!isSecureContext) {
-    $("sensor").textContent = "The browser tells its orientation to pages on localhost only.";
+    $("sensor").textContent = "The browser provides the orientation to pages on localhost only.";
     return;
   }
   const permission = await window.DeviceOrientationEvent?.requestPermission?.();

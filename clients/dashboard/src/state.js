@@ -31,7 +31,7 @@ export class StateCard {
     // Amber: less than what is asked, or nothing, can be felt.
     document.body.dataset.derating = status.derating || (state === "armed" && Boolean(status.reason));
     put($("state"), status.derating ? "Armed, derated" : kStates[state] ?? state);
-    put($("why"), status.reason || !status.derating ? reason(status.reason) : "Less current than asked, until it has cooled.");
+    put($("why"), status.reason || !status.derating ? reason(status.reason) : "Less current than requested until the ball has cooled.");
     put($("remedy"), status.remedy ? `${status.remedy}.` : "");
     this.arm.classList.toggle("away", !this.mayArm || !["disarmed", "tripped"].includes(state));
     const trip = status.last_trip;

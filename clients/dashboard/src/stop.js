@@ -29,7 +29,7 @@ export function stopButton(link, showMessage) {
       const response = await link.emergencyStop();
       fail("");
       showMessage(response?.on_disk === false
-        ? "coils off; not on disk yet, so a restart may forget it" : "coils off; latched until somebody arms the ball");
+        ? "coils off; not on disk yet, so the latch may be lost at a restart" : "coils off; latched until somebody arms the ball");
     } catch {
       unconfirmed();
     }

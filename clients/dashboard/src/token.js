@@ -11,7 +11,7 @@ const kForm = `
 /** Why the daemon has refused the token; empty: none was sent. */
 function problem({ wrong, retryAfterMs }) {
   if (retryAfterMs > 0) return `Too many wrong tokens: the daemon accepts none for ${Math.ceil(retryAfterMs / 1000)} s.`;
-  return wrong ? "The daemon does not know this token." : "";
+  return wrong ? "The token is unknown or revoked." : "";
 }
 
 /** Adds a form to the page, shown while the link is locked. It leaves the stop button usable. */

@@ -23,14 +23,14 @@ export function watch(link) {
     const why = detail.reason ? ` (${detail.reason})` : "";
     show("gone", was === "start"
       ? `No daemon answers${why}. This page tries again by itself.`
-      : `The daemon is gone${why}; the board has switched the coils off by itself. What stands here is old. This page comes back by itself.`);
+      : `The daemon is gone${why}; the board has switched the coils off by itself. The values shown are out of date. This page comes back by itself.`);
     if (was === "open") was = "gone";
   });
   link.addEventListener("locked", () => show("locked", "This daemon needs a token."));
   setInterval(() => {
     if (!link.ready) return;
     const silent = link.silentMs() > kSilentMs;
-    if (silent) show("silent", "The daemon is connected but silent. What stands here is old.");
+    if (silent) show("silent", "The daemon is connected but silent. The values shown are out of date.");
     else if (document.body.dataset.link === "silent") show("open", "");
   }, 500);
 }

@@ -43,7 +43,7 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
     return Problem{kUnavailable, argv.front() + ": " + std::strerror(end.start_error)};
   const auto text = read_file(output->path());
   return Problem{kToolFailed,
-                 argv.front() + " failed: " + (text ? last_line(*text) : "it says nothing")};
+                 argv.front() + " failed: " + (text ? last_line(*text) : "no message")};
 }
 
 Result<TemporaryFile> TemporaryFile::make(const std::string& suffix) {

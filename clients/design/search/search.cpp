@@ -90,7 +90,7 @@ Result<Search> Search::in(const SearchSpace& space, const Demands& demands) {
   for (const std::string& name : space.arrays) {
     if (name.find('-') != std::string::npos) {
       return Problem{kUsage, "--arrays: '" + name +
-                                 "': a search is told whole arrays (cD, wD, tkD, GP(m,n)) and "
+                                 "': a search takes whole arrays (cD, wD, tkD, GP(m,n)) and "
                                  "makes the fan's opening itself"};
     }
     const auto whole = find_arrangement(name);

@@ -133,7 +133,7 @@ std::string summary(const Found& best) {
 }
 
 Picture picture_of(const std::vector<Found>& front) {
-  Panel panel{"Designs that no other beats in pins, movement, mass and size",
+  Panel panel{"Pareto-optimal designs by pins, movement, mass and size",
               "outer diameter (mm)",
               "extension of the typical pin (mm)",
               {},
@@ -193,7 +193,7 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
            "little\n";
   }
   if (outcome.front.empty()) {
-    out << "  none does what is asked; weaker demands: --least-extension, --margin, --wall\n";
+    out << "  no design meets the requirements; relax --least-extension, --margin or --wall\n";
     return;
   }
   out << "\n" << table_of(outcome.front, kShownRows).text();
@@ -254,7 +254,7 @@ Result<void> run_choose(const ChooseOptions& options, const Screen& screen) {
   }
   if (!options.save.empty()) {
     if (outcome.front.empty())
-      return Problem{kBadData, "no design does what is asked: nothing is saved"};
+      return Problem{kBadData, "no design meets the requirements: nothing is saved"};
     const auto saved = write_file(options.save, design_text(outcome.front.front().design));
     if (!saved) return saved.error();
   }

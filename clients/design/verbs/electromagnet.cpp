@@ -167,7 +167,7 @@ Result<Picture> coil_picture(const Study& study, int pin, double max_a) {
     extension.series.push_back(
         marks("thesis: 0.06 mm at 5 A, 0.5 mm at 15 A", {{5, 0.06}, {15, 0.5}}, 6));
   }
-  Panel spread{"What the others get meanwhile",
+  Panel spread{"Force on the other pins",
                "angle from the aimed pin (degrees)",
                "part of its force (%)",
                {},

@@ -124,7 +124,8 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
 Result<void> run_export(const ExportOptions& options, const Screen& screen) {
   const bool casing = !options.scad.empty() || !options.stl.empty();
   if (!options.csv && !options.json && !casing && options.device.empty())
-    return Problem{kUsage, "say what: --csv, --json, --scad FILE, --stl FOLDER, --device FILE"};
+    return Problem{kUsage,
+                   "give at least one of --csv, --json, --scad FILE, --stl FOLDER, --device FILE"};
   const auto design = design_from(options.design);
   if (!design) return design.error();
   const auto array = buildable_arrangement(*design);

@@ -104,7 +104,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.circle", axis=axis, ring_deg=ring_deg, speed_pins_s=speed_pins_s,
@@ -146,7 +147,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.hold", direction=direction, frame=frame, level=level,
@@ -198,7 +200,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.play", pattern=pattern, keyframes=keyframes, rotate_to=rotate_to,
@@ -249,7 +252,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.pulse", direction=direction, frame=frame, level=level,
@@ -324,7 +328,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.update", effect=effect, direction=direction, pattern=pattern,
@@ -369,7 +374,8 @@ class Methods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = self.call("effect.vibrate", direction=direction, frame=frame, level=level,
@@ -594,7 +600,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.circle", axis=axis, ring_deg=ring_deg,
@@ -637,7 +644,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.hold", direction=direction, frame=frame, level=level,
@@ -691,7 +699,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.play", pattern=pattern, keyframes=keyframes,
@@ -743,7 +752,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.pulse", direction=direction, frame=frame, level=level,
@@ -819,7 +829,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.update", effect=effect, direction=direction,
@@ -865,7 +876,8 @@ class AsyncMethods:
         lease_ms: Ends after it unless renewed; 100 to 10000
         on_close: "finish" lets an effect of up to 2000 ms play out after the connection ended; stop, finish
         slot: The connection's own name for an effect
-        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0 to 9
+        priority: Only effects of the highest active priority are output; 8 and 9 need the role operate; 0
+            to 9
         if_limited: "refuse": an error instead of a reduced effect; reduce, refuse
         """
         result: Admission = await self.call("effect.vibrate", direction=direction, frame=frame, level=level,

@@ -108,6 +108,8 @@ bool BallLink::is_receiving() const { return daemon_ && Clock::now() - received_
 
 bool BallLink::is_late() const { return daemon_ ? !is_receiving() : timed_out_; }
 
-std::string BallLink::problem() const { return daemon_ ? "the daemon is silent" : problem_; }
+std::string BallLink::problem() const {
+  return daemon_ ? "no telemetry from the daemon" : problem_;
+}
 
 }  // namespace hedgehog::racer

@@ -34,7 +34,7 @@ class BallLink {
 
   /// Once a frame: what was received since; connects if there is no connection.
   Received listen();
-  /// nullopt: not connected, or the daemon is silent.
+  /// nullopt: not connected, or no telemetry from the daemon.
   std::optional<protocol::Id> request(const protocol::Request& request);
   void notify(const protocol::Request& request);
 

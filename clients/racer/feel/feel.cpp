@@ -31,10 +31,10 @@ constexpr double kTumbleStrength = 0.4;
 std::string refusal_reason(const protocol::RpcError& error) {
   switch (error.code) {
     case ErrorCode::kClaimed:
-      return "another client has the ball for itself";
+      return "another client has exclusive use of the ball";
     case ErrorCode::kForbidden:
     case ErrorCode::kUnauthorized:
-      return "the daemon lets this game only watch";
+      return "the daemon grants this game the role observe only";
     default:
       return {};
   }

@@ -159,8 +159,9 @@ std::string exclusion_table(const std::vector<AnalysedRun>& runs) {
             client::escape_html(run.excluded->time) + "</tr>\n";
   }
   if (rows.empty()) return {};
-  return "<h2>Excluded runs</h2>\n<p>They are in no mean.</p>\n<div class=wide><table><tr><th>who"
-         "<th>experiment<th class=n>run<th>reason<th>said</tr>\n" +
+  return "<h2>Excluded runs</h2>\n<p>Not included in the means.</p>\n<div "
+         "class=wide><table><tr><th>who"
+         "<th>experiment<th class=n>run<th>reason<th>excluded at</tr>\n" +
          rows + "</table></div>\n";
 }
 

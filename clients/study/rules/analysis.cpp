@@ -71,18 +71,17 @@ const char* meaning(Flag flag) noexcept {
     case Flag::kCeiling:
       return "the level was held at its ceiling: the threshold may lie above it";
     case Flag::kEarlyFloor:
-      return "the level reached its floor before the first reversal, by luck as in a third of "
-             "honest "
-             "JND runs, or because something gives the answer away";
+      return "the level reached its floor before the first reversal, by chance, as in a third of "
+             "valid JND runs, or because of an unintended cue";
     case Flag::kFalseAlarms:
       return "yes in more than a fifth of the catch trials: the threshold is too low";
     case Flag::kGuessing:
-      return "right no more often than a coin would be: the run says nothing";
+      return "correct at chance level: the run is not informative";
     case Flag::kZeroLevel:
       return "a scored trial had no current at all";
     case Flag::kDisagreement:
-      return "the mean of the reversals lies outside of the fitted curve's 95 %: the answers do "
-             "not tell which of the two is right";
+      return "the mean of the reversals lies outside of the fitted curve's 95 %: the data do not "
+             "show which of the two is correct";
     case Flag::kNotFinished:
       break;
   }

@@ -52,7 +52,7 @@ std::optional<std::string> fault_of(const IntervalPlayed& played, const Pattern&
   if (*played.offset_ns - *played.onset_ns < (pattern.duration_ms - kShortMs) * kNsPerMs)
     return which + " was cut short";
   if (!played.delivered_min || !played.masked_ms || !played.mixed_ms)
-    return which + " ended without a word on how it was delivered";
+    return which + " ended without a delivery report";
   if (*played.delivered_min < kFullStrength) {
     return which + " was delivered at " +
            std::to_string(static_cast<int>(100.0 * *played.delivered_min)) + " %";
@@ -149,7 +149,7 @@ Outcome<void> Player::keep(Milliseconds wait) {
     take(**notification);
   }
   if (std::chrono::steady_clock::now() - received_ > silence_)
-    return client::ClientError{client::Failure::kTimeout, "the daemon has fallen silent", {}};
+    return client::ClientError{client::Failure::kTimeout, "no telemetry from the daemon", {}};
   return device_ns_ - claimed_ns_ >= kRenewNs ? claim() : Outcome<void>();
 }
 
@@ -184,7 +184,7 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
     const auto now = std::chrono::steady_clock::now();
     if (!ended_ && (device_ns_ > overdue_ns || (stopped_at && now - *stopped_at > max_silence()))) {
       return client::ClientError{
-          client::Failure::kProtocol, "the daemon never said that the circle ended", {}};
+          client::Failure::kProtocol, "no effect_ended event was received for the circle", {}};
     }
     if (!stopped_at && !ended_ && abort()) {
       stopped_at = now;

@@ -133,7 +133,7 @@ Result<Runner::Early> Runner::accept_start() {
   continue_requested_ = desk_.unattended();
   while (!continue_requested_) {
     show(Phase::kPaused, 0,
-         "the daemon was started anew: is it the same ball? c goes on with it, q stops", true);
+         "the daemon was restarted: is it the same ball? c goes on with it, q stops", true);
     if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
     if (stop_requested()) return stop_early();
     if (auto kept = player_->keep(Milliseconds{0}); !kept) {

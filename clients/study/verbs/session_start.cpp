@@ -79,7 +79,7 @@ Result<void> check_same_ball(const Player& player, const RecordedRun& run) {
     };
     return Problem{EX_CONFIG, "the run was begun on " + which(run.header().ball) + " and this is " +
                                   which(player.ball()) +
-                                  ": a run stays with its ball, run --again begins another"};
+                                  ": a run cannot change its ball; run --again starts a new run"};
   }
   return check_playable(player, run.header().experiment);
 }
@@ -93,20 +93,21 @@ Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, 
       same_address ? "" : "the run was on the daemon at " + then.daemon.address + ", this is ";
   if (run.header().simulated_person) {
     if (same_address || given) return {};
-    return Problem{EX_CONFIG, from + now.daemon.address + ": --address says that it is meant"};
+    return Problem{EX_CONFIG, from + now.daemon.address + ": confirm it with --address"};
   }
-  const auto confirmed = confirm(
-      (same_address ? "the daemon was started anew, or is another" : from + now.daemon.address) +
-          "; is \"" + now.ball.name + "\" the ball that the run was begun on?",
-      ask);
+  const auto confirmed =
+      confirm((same_address ? "the daemon was restarted, or is a different one"
+                            : from + now.daemon.address) +
+                  "; is \"" + now.ball.name + "\" the ball that the run was begun on?",
+              ask);
   if (confirmed.value_or(false)) return {};
-  return Problem{EX_CONFIG, "a run stays with its ball, run --again begins another"};
+  return Problem{EX_CONFIG, "a run cannot change its ball; run --again starts a new run"};
 }
 
 Result<void> check_same_start(const Pin& before, const Pin& now) {
   if (before.daemon == now.daemon && compare(before, now) != Identity::kOther) return {};
   return Problem{EX_TEMPFAIL, "the daemon at " + now.daemon.address +
-                                  " was started anew meanwhile; begin again"};
+                                  " was restarted in the meantime; start again"};
 }
 
 Result<void> append_resumed(Journal& journal, const Pin& now) {

@@ -43,7 +43,7 @@ int execute_run(const StudyFolder& study, Journal& journal, Player player) {
   } else {
     auto page = ParticipantServer::listen(study.path() / kPage);
     if (!page) {
-      std::fprintf(stderr, "hedgehog-study: the participant has no page: %s\n",
+      std::fprintf(stderr, "hedgehog-study: the participant's page is not available: %s\n",
                    page.error().message.c_str());
       std::this_thread::sleep_for(kReading);
     }

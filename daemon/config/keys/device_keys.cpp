@@ -45,7 +45,7 @@ Reason read_matrix(DeviceModel& device, const Value& value) {
   }
   // A calibrated matrix is close to a signed permutation, with a determinant close to 1 or -1.
   if (const double det = model::determinant(matrix); !(std::abs(det) >= 0.001))
-    return "must have a determinant other than 0: these rows leave directions without a field";
+    return "must have a determinant other than 0: the coils do not span all directions";
   device.coils.matrix = matrix;
   return {};
 }
@@ -182,7 +182,7 @@ void check_thermal(const model::ThermalModel& thermal, const Origins& origins,
     errors.push_back(error_at(
         origins, key,
         what + " must be at least " + describe(Value::of(model::kMinTimeConstantS)) + " s, not " +
-            describe(Value::of(seconds)) + ": no estimate of heat could follow it",
+            describe(Value::of(seconds)) + ": too fast for the thermal estimate",
         file));
   };
   check("thermal.winding_j_k", "times winding_to_core_k_w", time.winding_s);

@@ -59,10 +59,10 @@ void check_unix_roles(const access::UnixRoles& roles, const Origins& origins,
   for (const auto& [path, member] : kUnixRoleFields) {
     const access::Principals& principals = roles.*member;
     if (everybody != nullptr && !principals.empty())
-      errors.push_back(error_at(
-          origins, path,
-          std::string("changes nothing, because ") + everybody + " has \"*\"; write there who may",
-          file));
+      errors.push_back(error_at(origins, path,
+                                std::string("has no effect, because ") + everybody +
+                                    " has \"*\"; list the permitted users there instead",
+                                file));
     if (everybody == nullptr && access::has_everybody(principals)) everybody = path;
   }
 }

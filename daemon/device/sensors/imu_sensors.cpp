@@ -199,6 +199,6 @@ constinit const SensorDriver kClosedXsensDriver{
     .type = {},
     .words = "Xsens radio station or converter",
     .matches_usb = [](const UsbDevice& device) { return device.vendor == kXsens; },
-    .unusable = "only its maker's own closed software speaks with it"};
+    .unusable = "only the manufacturer's closed software supports it"};
 
 }  // namespace hedgehog::device

@@ -51,7 +51,7 @@ void SensorThread::run() {
     const auto since = std::chrono::steady_clock::now();
     while (!stop_ && sensor_->poll(kWait)) {
     }
-    note(false, sensor_->name() + ": it went away");
+    note(false, sensor_->name() + ": it was disconnected");
     sensor_->close();
     // Back-off for a device that fails right after opening.
     const bool was_stable = std::chrono::steady_clock::now() - since > kLongestPause;

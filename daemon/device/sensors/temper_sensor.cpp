@@ -41,7 +41,7 @@ std::string TemperSensor::open() {
   std::string firmware;
   for (int i = 0; i < kFirmwareTries; ++i) {
     const auto answer = ask(*opened.port, kTemperAskFirmware);
-    if (!answer) return opened.name + ": it went away";
+    if (!answer) return opened.name + ": it was disconnected";
     firmware = temper_firmware(*answer);
     if (const auto model = temper_model(firmware)) {
       model_ = *model;
@@ -51,8 +51,8 @@ std::string TemperSensor::open() {
       return {};
     }
   }
-  return opened.name + (firmware.empty() ? ": it does not tell its firmware"
-                                         : ": its firmware \"" + firmware + "\" is not known here");
+  return opened.name + (firmware.empty() ? ": it does not report its firmware"
+                                         : ": its firmware \"" + firmware + "\" is not supported");
 }
 
 bool TemperSensor::poll(std::chrono::milliseconds wait) {

@@ -48,7 +48,7 @@ std::string describe_board(const UsbDevice& device) {
 std::string foreign_version(int version) {
   return "it speaks version " + std::to_string(version) +
          " of the board protocol, this hedgehogd " + std::to_string(int{board::kProtocolVersion}) +
-         "; one of them has to be updated";
+         "; update one of them";
 }
 
 bool is_board(const UsbDevice& device, const BoardIds& wanted) {

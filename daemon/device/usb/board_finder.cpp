@@ -88,17 +88,17 @@ void BoardFinder::on_returned(Milliseconds now) {
         ++usb_info_.recovered;
         hand_to_link(now);
       } else {
-        close_failed("it stalls again and again", kLongestPauseAfterFailure, now);
+        close_failed("it stalls repeatedly", kLongestPauseAfterFailure, now);
       }
       return;
     case UsbFault::kGone:
-      close_failed("it went away", kLongestPause, now);
+      close_failed("it was disconnected", kLongestPause, now);
       return;
     case UsbFault::kFailed:
       close_failed("a transfer failed", kLongestPauseAfterFailure, now);
       return;
     case UsbFault::kNone:
-      close_failed("it says nothing", kLongestPauseAfterFailure, now);
+      close_failed("it sends no frames", kLongestPauseAfterFailure, now);
   }
 }
 

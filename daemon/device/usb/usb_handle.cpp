@@ -46,7 +46,7 @@ std::string usb_failure(int error) {
     case LIBUSB_ERROR_BUSY:
       return "another program has it";
     case LIBUSB_ERROR_NO_DEVICE:
-      return "it went away";
+      return "it was disconnected";
     case LIBUSB_ERROR_NOT_SUPPORTED:
       return "it has not the endpoints that are needed";
     default:

@@ -21,14 +21,14 @@ void BallWarnings::step_fan(const DeviceView& device_view, std::vector<std::stri
   if (now.fan_works == fan_works_) return;
   fan_works_ = now.fan_works;
   if (fan_works_) {
-    sentences.push_back(
-        fmt::format("the fan turns at {:.0f}/min and counts as cooling again", now.board.fan_rpm));
+    sentences.push_back(fmt::format("the fan turns at {:.0f}/min and is treated as working again",
+                                    now.board.fan_rpm));
     return;
   }
   const double full_rpm = device_view.config().device.thermal.fan_full_rpm;
   sentences.push_back(fmt::format(
-      "the fan's tachometer shows {:.0f}/min, and a fan of {:.0f}/min that cools shows {:.0f} to "
-      "{:.0f}: it counts as standing. Check the fan and its plug, and thermal.fan_rpm in the "
+      "the fan's tachometer shows {:.0f}/min; a working fan of {:.0f}/min shows {:.0f} to {:.0f}: "
+      "the fan is treated as stopped. Check the fan and its plug, and thermal.fan_rpm in the "
       "device file",
       now.board.fan_rpm, full_rpm, control::FanCheck::kMinCoolingShare * full_rpm,
       control::FanCheck::kMaxCoolingShare * full_rpm));

@@ -25,7 +25,7 @@ constexpr double kWarmK = 2.0;
 /// After this time the snapshot contains every latch reported by an event or a request.
 constexpr model::Tick kLatchSeen = 200;
 
-constexpr const char* kCountsAsCrash = "; the next start counts as one after a crash";
+constexpr const char* kCountsAsCrash = "; the next start is treated as one after a crash";
 
 bool finite(const model::ThermalState& heat) {
   return std::isfinite(heat.core_c) && std::isfinite(model::hottest_winding(heat));
@@ -55,8 +55,11 @@ class FileStateStore::File {
       orderly_ = ec || !base::sync_folder(std::filesystem::path(path_).parent_path()).empty();
     }
     if (!failed_.exchange(true) || last) {  // one line an episode
-      spdlog::error("{}: the state is not kept{}{}", problem, last ? kCountsAsCrash : "",
-                    orderly_ ? ", but for the old file, which must be removed by hand" : "");
+      spdlog::error("{}: the state was not saved{}", problem,
+                    orderly_ ? "; remove the old file by hand before the next start, which would "
+                               "use it"
+                    : last   ? kCountsAsCrash
+                             : "");
     }
   }
   /// The last write failed. Any thread.
@@ -159,8 +162,8 @@ void FileStateStore::identify_ball() {
   if (are_different(*saved_.ball, seen)) {
     if (!device_view_.outbox().add(0, control::ResetBall{})) return;
     device_view_.outbox().commit();
-    spdlog::error("another ball: {}, before it was {}{}", seen.serial, saved_.ball->serial,
-                  kCountsAsTripped);
+    spdlog::error("the ball was replaced: serial number {}, before {}{}", seen.serial,
+                  saved_.ball->serial, kCountsAsTripped);
     saved_.heat_known = false;
     saved_.r25 = r25_before_ = {};
     device_view_.set_saved_r25({});
@@ -214,7 +217,7 @@ void FileStateStore::stopped_cleanly() {
   saved_ = current();
   // Queued after pending writes, so that no older state is written after it.
   if (!submit_write())
-    spdlog::error("the disk is too slow: the state is not kept{}", kCountsAsCrash);
+    spdlog::error("the disk is too slow: the state was not saved{}", kCountsAsCrash);
 }
 
 void FileStateStore::persist_gain(double gain) {

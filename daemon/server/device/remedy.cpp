@@ -14,7 +14,7 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
     case Reason::kOverheated:
       return "Let the ball cool below " + std::to_string(std::lround(facts.rearm_c)) + " °C";
     case Reason::kStateLost:
-      return "What the ball did before is not known (the log says why): let it cool below " +
+      return "The previous state of the ball is unknown (see the log): let it cool below " +
              std::to_string(std::lround(facts.rearm_c)) + " °C";
     case Reason::kBoardOverHeat:
     case Reason::kBoardHeatBudget:
@@ -53,7 +53,7 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
     case Reason::kInternal:
       return "Restart hedgehogd";
     case Reason::kBootLoader:
-      return "Wait for the board, which was asked into its boot loader";
+      return "Wait until the board has restarted in its boot loader";
     case Reason::kNone:
     case Reason::kNeverArmed:
     case Reason::kUncleanStop:
@@ -73,7 +73,7 @@ std::optional<std::string> remedy(control::State state, Reason reason, const Rem
   if (state == control::State::kAbsent) {
     if (reason == Reason::kBootLoader) {
       return facts.simulated ? "Wait until the simulated board is back, after 3 s"
-                             : "The board waits for new firmware: hedgehogctl board flash FILE; or "
+                             : "The board is in its boot loader: hedgehogctl board flash FILE; or "
                                "unplug it and "
                                "plug it in again";
     }
@@ -94,10 +94,10 @@ std::string too_hot_remedy(double hottest_c, double skin_c, const model::Limits&
   const auto degrees = [](double celsius) { return std::to_string(std::lround(celsius)) + " °C"; };
   if (hottest_c > limits.sustain_c) {
     return "Wait until the hottest winding is below " + degrees(limits.sustain_c) +
-           "; by what was measured it may be at " + degrees(hottest_c);
+           "; the upper bound of its temperature is " + degrees(hottest_c);
   }
-  if (!std::isfinite(skin_c)) return "Wait: how warm the shell is has not been measured";
-  return "Wait until the shell is cooler: it may get as warm as " + degrees(skin_c);
+  if (!std::isfinite(skin_c)) return "Wait until the temperature of the shell has been measured";
+  return "Wait until the shell is cooler: the upper bound of its temperature is " + degrees(skin_c);
 }
 
 std::optional<std::string> reason_name(Reason reason) {

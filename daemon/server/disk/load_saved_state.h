@@ -12,8 +12,8 @@ namespace hedgehog::server {
 
 /// The end of the sentence that reports a lost state.
 inline constexpr const char* kCountsAsTripped =
-    ". Whether the ball had tripped and how hot it is are not known, so it counts as tripped: let "
-    "it cool, then run: hedgehogctl arm";
+    ". Latch and temperature are unknown, so the ball is treated as tripped: let it "
+    "cool, then run: hedgehogctl arm";
 
 /// The path of the state file.
 std::string state_file(const std::string& directory);

@@ -24,7 +24,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
        at.increment(ec))
     entries.push_back(at->path());
   if (ec && ec != std::errc::no_such_file_or_directory)
-    spdlog::warn("{}: {}; patterns are missing", folder.string(), ec.message());
+    spdlog::warn("{}: {}; the stored patterns were not loaded", folder.string(), ec.message());
   std::sort(entries.begin(), entries.end());
   return entries;
 }
@@ -79,7 +79,8 @@ std::vector<protocol::Pattern> PatternFiles::load() const {
       } else if (file.extension() == ".json" && kept.size() < PatternLibrary::kMaxPut) {
         load(file, kept);
       } else if (file.extension() == ".json") {
-        spdlog::warn("{}: there are {} patterns already", file.string(), kept.size());
+        spdlog::warn("{}: not loaded, the limit of {} patterns is reached", file.string(),
+                     kept.size());
       }
     }
   }
@@ -89,7 +90,7 @@ std::vector<protocol::Pattern> PatternFiles::load() const {
 void PatternFiles::load(const std::string& path, std::vector<protocol::Pattern>& kept) const {
   const base::FileText file = base::read_regular_file(path, protocol::kMaxPatternBytes);
   if (!file.good()) {
-    spdlog::warn("{}: {}; the pattern is missing", path, file.problem);
+    spdlog::warn("{}: {}; the pattern was not loaded", path, file.problem);
     return;
   }
   auto pattern = protocol::decode_pattern(file.text);
@@ -106,7 +107,7 @@ DiskWorkPtr PatternFiles::post(std::function<std::string()> job) {
   const bool taken = disk_.post(DiskUse::kPattern, [work, job = std::move(job)] {
     work->problem = job();
     if (!work->problem.empty())
-      spdlog::error("{}: the patterns on disk are not what they should be", work->problem);
+      spdlog::error("{}: the stored patterns on disk are out of date", work->problem);
     work->done.store(true, std::memory_order_release);
   });
   return taken ? work : nullptr;

@@ -23,7 +23,7 @@ RpcError read_only(const std::string& name) {
 
 RpcError storage_full() {
   constexpr std::int64_t kRetryMs = 50;
-  return protocol::busy("the disk has not written the patterns before it yet; nothing was changed",
+  return protocol::busy("earlier patterns are still being written to disk; nothing was changed",
                         kRetryMs);
 }
 

@@ -115,7 +115,7 @@ std::optional<RpcError> set_keyframes(model::EffectSpec& s, const EffectParams& 
   if (s.duration > protocol::kMaxDurationMs) {
     RpcError e = protocol::invalid_params(
         "duration_ms", "the pattern takes " + std::to_string(s.duration) +
-                           " ms at this rate, more than 10000; say duration_ms or lease_ms");
+                           " ms at this rate, more than 10000; set duration_ms or lease_ms");
     e.limit = protocol::kMaxDurationMs;
     e.value = s.duration;
     return e;

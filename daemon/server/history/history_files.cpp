@@ -33,7 +33,7 @@ std::string full_path(const std::string& path) { return path + ".1"; }
 std::string content_of(const std::string& path) {
   base::FileText file = base::read_regular_file(path, kMaxBytes);
   if (!file.good() && !file.missing)
-    spdlog::error("{}: {}; what happened then is not known", path, file.problem);
+    spdlog::error("{}: {}; its events are missing from the history", path, file.problem);
   return std::move(file.text);
 }
 
@@ -73,14 +73,15 @@ std::string append(const std::string& path, std::string_view lines, bool begin_f
   const bool good = before >= 0 && (ends_a_line(fd, before) || write_all(fd, "\n")) &&
                     write_all(fd, lines) && ::fdatasync(fd) == 0;
   std::string problem = good ? std::string() : path + ": " + std::strerror(errno);
-  if (!good && before >= 0 && ::ftruncate(fd, before) != 0) problem += ", and half a line stays";
+  if (!good && before >= 0 && ::ftruncate(fd, before) != 0)
+    problem += ", and an incomplete line remains";
   ::close(fd);
   // The lines are written; if the folder entry may be lost at a power failure, repeating does not
   // help.
   if (const std::string unsure =
           good && fresh ? base::sync_folder(fs::path(path).parent_path()) : "";
       !unsure.empty())
-    spdlog::warn("{}: a loss of power may forget {}", unsure, path);
+    spdlog::warn("{}: {} may be lost in a power failure", unsure, path);
   return problem;
 }
 
@@ -101,15 +102,15 @@ EventHistory::Writer history_writer(const std::string& directory, DiskThread& di
     const std::string path =
         (fs::path(directory) / kFiles[static_cast<std::size_t>(part)]).string();
     auto work = std::make_shared<DiskWork>();
-    const bool taken = disk.post(DiskUse::kHistory, [path, begin_file, failing, work,
-                                                     lines = std::move(lines)] {
-      work->problem = append(path, lines, begin_file);
-      const bool failed = !work->problem.empty();
-      if (failed && !*failing)
-        spdlog::error("{}: until it can be written, a restart forgets what happens", work->problem);
-      *failing = failed;
-      work->done.store(true, std::memory_order_release);
-    });
+    const bool taken =
+        disk.post(DiskUse::kHistory, [path, begin_file, failing, work, lines = std::move(lines)] {
+          work->problem = append(path, lines, begin_file);
+          const bool failed = !work->problem.empty();
+          if (failed && !*failing)
+            spdlog::error("{}: events are lost at a restart until writing succeeds", work->problem);
+          *failing = failed;
+          work->done.store(true, std::memory_order_release);
+        });
     return taken ? work : nullptr;
   };
 }

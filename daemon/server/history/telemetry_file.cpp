@@ -24,7 +24,7 @@ std::string load_telemetry(const std::string& directory) {
   const std::string path = path_in(directory);
   base::FileText file = base::read_regular_file(path, kMaxTelemetryBytes);
   if (!file.good() && !file.missing)
-    spdlog::warn("{}: {}; the charts of the pages begin anew", path, file.problem);
+    spdlog::warn("{}: {}; the telemetry history starts empty", path, file.problem);
   return std::move(file.text);
 }
 
@@ -42,7 +42,7 @@ void TelemetryFile::write(TelemetrySamples& samples, model::Tick now, std::int64
   const bool taken =
       disk_.post(DiskUse::kHistory, [path = path_, bytes = samples.encoded(now, unix_ms)] {
         if (const std::string problem = base::write_file_atomically(path, bytes); !problem.empty())
-          spdlog::debug("{}: the charts of the pages begin anew after a restart", problem);
+          spdlog::debug("{}: the telemetry history starts empty after a restart", problem);
       });
   if (taken) samples.saved();
 }

@@ -200,8 +200,7 @@ bool Listener::has_capacity(const Session& session) {
   const auto here = server_->connections();
   if (here < places(session, settings_.max)) return true;
   ++server_->counters().rejected["cap"];
-  spdlog::warn("a client from {} is turned away: {} are connected already", origin_text(session),
-               here);
+  spdlog::warn("client from {} rejected: {} are connected already", origin_text(session), here);
   return false;
 }
 
@@ -271,7 +270,8 @@ void Listener::set_config(const config::Config& config) {
     // If no certificate is needed any more, listeners keep the previous one.
     if (TlsContext fresh = make_tls_context(config.access)) tls_ = std::move(fresh);
   } catch (const std::exception& e) {
-    spdlog::error("the new certificate cannot be used; the old one stays: {}", e.what());
+    spdlog::error("the new certificate cannot be used; the old one remains in effect: {}",
+                  e.what());
   }
 }
 

@@ -49,8 +49,8 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
   if (!ec) acceptor.listen(asio::socket_base::max_listen_connections, ec);
   if (ec == asio::error::address_in_use) {
     throw std::runtime_error(name +
-                             ": something listens there already, another hedgehogd perhaps; "
-                             "end it, or take another port with " +
+                             ": the address is in use, possibly by another hedgehogd; stop it, or "
+                             "choose another port with " +
                              remedy);
   }
   if (ec) throw std::runtime_error(name + ": " + ec.message());

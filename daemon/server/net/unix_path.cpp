@@ -36,7 +36,8 @@ void require_private(const std::filesystem::path& folder) {
   if (::lstat(folder.c_str(), &s) != 0 || !S_ISDIR(s.st_mode) ||
       (s.st_uid != ::geteuid() && s.st_uid != 0) ||
       ((s.st_mode & S_IWOTH) != 0 && (s.st_mode & S_ISVTX) == 0))
-    throw std::runtime_error(folder.string() + ": not a folder of this user; not used for sockets");
+    throw std::runtime_error(folder.string() +
+                             ": not a folder, or controlled by another user; not used for sockets");
 }
 
 mode_t unix_mode(const access::UnixRoles& roles) noexcept {
@@ -53,8 +54,7 @@ void prepare_socket_path(const std::string& path) {
   require_private(folder);
   struct stat s {};
   if (::lstat(path.c_str(), &s) != 0) return;
-  if (!S_ISSOCK(s.st_mode))
-    throw std::runtime_error(path + ": something that is not a socket is in the way");
+  if (!S_ISSOCK(s.st_mode)) throw std::runtime_error(path + ": exists and is not a socket");
   if (has_listener(path)) throw std::runtime_error(path + ": another hedgehogd is running there");
   ::unlink(path.c_str());
 }

@@ -14,7 +14,7 @@ constexpr int kBoardMinor = 2;
 constexpr model::Tick kGoneBy = control::StateMachine::kBootLoaderTimeout;
 
 protocol::RpcError still_armed() {
-  return protocol::armed("only a ball that is not armed goes into its boot loader",
+  return protocol::armed("the boot loader can be entered only while the ball is not armed",
                          "Run: hedgehogctl stop");
 }
 
@@ -22,9 +22,9 @@ protocol::RpcError no_boot_loader(const DeviceView& device_view) {
   return protocol::error(
       protocol::ErrorCode::kUnsupported,
       "unsupported: the board speaks " + device_view.board_protocol().value_or("another version") +
-          " of the board protocol, and only from 1." + std::to_string(kBoardMinor) +
-          " on can it be asked into its boot loader; unplug it and hold "
-          "BOOTSEL while plugging it in");
+          " of the board protocol; entering the boot loader on request requires 1." +
+          std::to_string(kBoardMinor) +
+          " or later; unplug it and hold BOOTSEL while plugging it in");
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Outcome handle(Call& call, const protocol::DeviceEnterBootLoader&) {
     if (now.state == control::State::kArmed) return Response(still_armed());
     since = since < 0 ? now.tick : since;
     if (now.tick - since <= kGoneBy) return std::nullopt;
-    return Response(protocol::busy("the board has not gone into its boot loader", 1000));
+    return Response(protocol::busy("the board has not entered its boot loader", 1000));
   }};
 }
 

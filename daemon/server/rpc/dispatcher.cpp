@@ -37,9 +37,10 @@ bool starts_something(const protocol::Request& request) {
 constexpr std::int64_t kRestartMs = 1000;
 
 protocol::RpcError too_many(const std::string& what) {
-  protocol::RpcError e = protocol::busy(
-      "a batch may ask for " + std::to_string(Dispatcher::kMaxCostly) + " " + what + "; ask again",
-      1);
+  protocol::RpcError e =
+      protocol::busy("a batch may contain at most " + std::to_string(Dispatcher::kMaxCostly) + " " +
+                         what + "; send the others separately",
+                     1);
   e.limit = std::int64_t{Dispatcher::kMaxCostly};
   return e;
 }
@@ -124,11 +125,13 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
     if (context_.stopping)
       why_not = protocol::busy("the daemon is stopping", kRestartMs);
     else if (session.bypassed > 0 && starts_something(*item.request))
-      why_not = protocol::busy("an emergency stop, or the connection's end, came after it", 1);
+      why_not = protocol::busy(
+          "superseded by a later emergency stop, or by the end of the connection", 1);
     else if (what != nullptr && ++reply->costly[which] > kMaxCostly)
       why_not = too_many(what);
     else if (reply->bytes > session.batch_bytes)
-      why_not = protocol::busy("the answers to this batch are too long; ask again", 1);
+      why_not = protocol::busy(
+          "the responses to this batch are too long; send the remaining requests separately", 1);
     if (why_not) {
       count(context_.counters, method, *why_not);
       if (item.id) reply->add(protocol::encode_error(*item.id, *why_not));

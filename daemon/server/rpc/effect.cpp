@@ -32,7 +32,7 @@ std::optional<RpcError> no_capacity(const Call& call, bool replacing) {
     case EffectRegistry::Capacity::kPlacesFull:
       break;
   }
-  return protocol::busy("effects that have just ended still hold their places", 1);
+  return protocol::busy("the entries of ended effects are not released yet", 1);
 }
 
 /// Checks all reasons against playing `plan`, which replaces or updates `before` (nullptr:
@@ -67,12 +67,11 @@ std::optional<RpcError> place_keyframes(const Call& call, EffectPlan& plan) {
     return e;
   };
   if (!keyframes.within_share(*plan.track, call.session.id)) {
-    return full("this connection's effects play 1024 key frames already, as many as one may",
+    return full("the effects of this connection would exceed its limit of 1024 key frames",
                 KeyframeAllocator::kShare);
   }
   const auto first = keyframes.place(*plan.track, call.session.id, outbox);
-  if (!first)
-    return full("the key frames of all effects fill their 2048 places", control::kKeyframeCapacity);
+  if (!first) return full("the pool of 2048 key frames is full", control::kKeyframeCapacity);
   plan.spec.trajectory.playback.first = *first;
   return std::nullopt;
 }

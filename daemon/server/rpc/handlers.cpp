@@ -47,7 +47,7 @@ std::optional<protocol::RpcError> claimed(const Call& call) {
   const model::Tick now = call.device_view().now().tick;
   if (!call.context.claim.excludes(call.session.id, now)) return std::nullopt;
   protocol::RpcError e = protocol::error(protocol::ErrorCode::kClaimed,
-                                         "claimed: another client has the ball for itself");
+                                         "claimed: another client has exclusive use of the ball");
   e.retry_after_ms = call.context.claim.remaining(now);
   return e;
 }

@@ -29,7 +29,7 @@ Outcome handle(Call& call, const protocol::OrientationSet& request) {
   if (context.orientation_feeder == 0) context.orientation_feeder = call.session.id;
   if (context.orientation_feeder != call.session.id) {
     return Response(protocol::error(protocol::ErrorCode::kClaimed,
-                                    "claimed: another client feeds the orientation"));
+                                    "claimed: another client sets the orientation"));
   }
   call.device_view().set_orientation(request.quaternion);
   return Response(protocol::Done{});

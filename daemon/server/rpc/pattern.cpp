@@ -12,19 +12,18 @@ protocol::RpcError not_kept(const std::string& what) {
   return protocol::error(protocol::ErrorCode::kInternalError, "internal_error: " + what);
 }
 
-/// `response` once it is on disk. `otherwise`: consequence of a restart before that.
-Deferred when_written(DiskWorkPtr work, std::string otherwise, Response response) {
-  return {[work = std::move(work), otherwise = std::move(otherwise),
-           response = std::move(response)](HandlerContext&,
-                                           bool give_up) -> std::optional<Response> {
+/// `response` once it is on disk.
+Deferred when_written(DiskWorkPtr work, Response response) {
+  return {[work = std::move(work), response = std::move(response)](
+              HandlerContext&, bool give_up) -> std::optional<Response> {
     if (!work->done.load(std::memory_order_acquire))
-      return give_up ? std::optional(Response(not_kept("done, but the disk is slow; until it has "
-                                                       "written, a restart would " +
-                                                       otherwise)))
-                     : std::nullopt;
+      return give_up
+                 ? std::optional(Response(not_kept(
+                       "applied, but not yet written to disk; a restart before that undoes it")))
+                 : std::nullopt;
     if (!work->problem.empty())
-      return Response(not_kept("done, but not surely on disk, so a restart may " + otherwise +
-                               ": " + work->problem));
+      return Response(not_kept("applied, but writing to disk failed, so a restart may undo it: " +
+                               work->problem));
     return response;
   }};
 }
@@ -51,14 +50,14 @@ Outcome handle(Call& call, const protocol::PatternPut& request) {
     return Response(track.error());
   auto work = patterns.put(request.pattern);
   if (work.has_error()) return Response(work.error());
-  return when_written(std::move(*work), "forget it",
+  return when_written(std::move(*work),
                       Response(PatternLibrary::summary(*patterns.find(request.pattern.name))));
 }
 
 Outcome handle(Call& call, const protocol::PatternRemove& request) {
   auto work = call.context.patterns.remove(request.name);
   if (work.has_error()) return Response(work.error());
-  return when_written(std::move(*work), "bring it back", Response(protocol::Done{}));
+  return when_written(std::move(*work), Response(protocol::Done{}));
 }
 
 }  // namespace hedgehog::server

@@ -42,7 +42,7 @@ std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
   }
   ++counters.rejected["token"];
   // During a back-off, a line for each attempt would fill the log.
-  if (!refusal->retry_after_ms) spdlog::warn("a wrong token came from {}", from);
+  if (!refusal->retry_after_ms) spdlog::warn("invalid token from {}", from);
   return refusal;
 }
 

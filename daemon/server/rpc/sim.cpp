@@ -116,7 +116,8 @@ Outcome handle(Call& call, const protocol::SimTruth&) {
   return Deferred{[](HandlerContext& context, bool give_up) -> std::optional<Response> {
     const device::PlantTruth& truth = context.device_view.truth();
     if (truth.known) return Response(truth_result(truth));
-    return give_up ? std::optional<Response>(protocol::busy("the simulated board is silent", 1000))
+    return give_up ? std::optional<Response>(
+                         protocol::busy("the simulated board does not respond", 1000))
                    : std::nullopt;
   }};
 }

@@ -36,8 +36,9 @@ std::optional<protocol::RpcError> TokenCheck::log_in(Session& session, std::stri
   using protocol::ErrorCode;
   const std::string key = counted_key(session);
   if (const model::Tick wait = key.empty() ? 0 : failed_.remaining(key, now); wait > 0) {
-    auto error = protocol::error(ErrorCode::kUnauthorized,
-                                 "token: too many wrong ones came from this address or user; wait");
+    auto error =
+        protocol::error(ErrorCode::kUnauthorized,
+                        "token: too many invalid tokens from this address or user; retry later");
     error.field = "token";
     error.retry_after_ms = wait;
     return error;
@@ -46,7 +47,7 @@ std::optional<protocol::RpcError> TokenCheck::log_in(Session& session, std::stri
   const access::Token* token = find(digest);
   if (token == nullptr) {
     if (!key.empty()) failed_.failed(key, now);
-    auto error = protocol::error(ErrorCode::kUnauthorized, "token: it is not known here");
+    auto error = protocol::error(ErrorCode::kUnauthorized, "token: unknown or revoked");
     error.field = "token";
     return error;
   }

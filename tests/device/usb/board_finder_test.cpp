@@ -65,9 +65,10 @@ TEST(BoardOnUsb, AnInterfaceOfAnotherVersionIsNamedWithBoth) {
   Bench bench;
   bench.usb.plug_in("7", 2);
   bench.run(100);
-  EXPECT_EQ(bench.what(), std::string(kSeven) +
-                              ": it speaks version 2 of the board protocol, this hedgehogd 1; one "
-                              "of them has to be updated");
+  EXPECT_EQ(
+      bench.what(),
+      std::string(kSeven) +
+          ": it speaks version 2 of the board protocol, this hedgehogd 1; update one of them");
   EXPECT_EQ(bench.usb.boards[0]->opened, 0);
 }
 

@@ -34,7 +34,7 @@ TEST(BoardOnUsb, UnpluggedDuringATransferItIsClosedAndFoundAgain) {
   bench.run(static_cast<int>(BoardFinder::kCheckPeriod.count()) + 2);
   EXPECT_FALSE(bench.finder.usb_info().open);
   EXPECT_FALSE(bench.finder.usb_info().serial);
-  EXPECT_EQ(bench.what(), std::string(kSeven) + ": it went away");
+  EXPECT_EQ(bench.what(), std::string(kSeven) + ": it was disconnected");
   EXPECT_EQ(board.open_ports, 0);
   EXPECT_EQ(board.still_submitted, 0);
   EXPECT_EQ(board.begun, board.ended);
@@ -100,7 +100,7 @@ TEST(BoardOnUsb, FailingTransfersAndSilenceCloseItToo) {
   board.transfers_fail = false;
   ASSERT_TRUE(bench.until_open());
   bench.run(static_cast<int>(BoardFinder::kSilence.count()) + 100);
-  EXPECT_EQ(bench.what(), std::string(kSeven) + ": it says nothing");
+  EXPECT_EQ(bench.what(), std::string(kSeven) + ": it sends no frames");
   EXPECT_EQ(board.open_ports, 0);
 }
 

@@ -50,10 +50,10 @@ async function withDaemon(daemon, body) {
 }
 
 /** Runs a command that must succeed; returns its output. On a busy machine telemetry may be lost for a second of the ball's time, which
- *  interrupts `calibrate --thermal`; as its message says, the same command goes on. */
+ *  interrupts `calibrate --thermal`; as its message says, the command is repeated. */
 async function does(daemon, ...words) {
   let { code, out, err } = await daemon.ctl(...words);
-  for (let again = 0; code === kTemporaryFailure && /telemetry stopped.*The same command goes on/s.test(err) && again < kMaxInterruptions; ++again) {
+  for (let again = 0; code === kTemporaryFailure && /telemetry stopped.*Repeat the command to resume/s.test(err) && again < kMaxInterruptions; ++again) {
     console.log(`interrupted: ${out}${err}`);
     ({ code, out, err } = await daemon.ctl(...words));
   }

@@ -47,7 +47,7 @@ export class Link extends EventTarget {
   }
 
   lost() {
-    const why = this.closeReason || "it ended without a word";
+    const why = this.closeReason || "closed without a reason";
     this.show("gone", this.was === "start"
       ? "No game answers. This page tries again by itself."
       : `The game is gone (${why}). Start hedgehog-racer again; this page comes back by itself.`);
@@ -62,7 +62,7 @@ export class Link extends EventTarget {
     const { link } = document.body.dataset;
     if (!["open", "silent"].includes(link)) return;
     const silent = performance.now() - this.receivedAt > kSilentMs;
-    if (silent && link === "open") this.show("silent", "The game is connected but silent. What stands here is old.");
+    if (silent && link === "open") this.show("silent", "The game is connected but silent. The values shown are out of date.");
     if (!silent && link === "silent") this.show("open", "");
   }
 

@@ -125,7 +125,7 @@ asio::awaitable<void> complete(HttpStream& stream, HttpResponse& answer) {
   auto body = pending();
   for (; body == nullptr; body = pending()) {
     if (std::chrono::steady_clock::now() > until) {
-      answer = http_error(503, "the disk is slow; ask again");
+      answer = http_error(503, "the disk is slow; retry later");
       co_return;
     }
     error_code ignored;
@@ -133,7 +133,7 @@ asio::awaitable<void> complete(HttpStream& stream, HttpResponse& answer) {
     co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
   }
   if (body->empty())
-    answer = http_error(404, "it is gone");
+    answer = http_error(404, "the recording no longer exists");
   else
     answer.body = std::move(body);
 }

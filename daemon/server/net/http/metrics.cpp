@@ -114,11 +114,12 @@ void identity(Page& page, const DeviceView& device_view) {
 
 void temperatures(Page& page, const DeviceView& device_view, const protocol::Status& status) {
   const protocol::TemperatureStatus& temperature = status.temperature_c;
-  page.gauge("temperature_celsius",
-             "Temperature in the ball. model: its hottest winding as estimated, which the "
-             "thresholds are for; upper: the most that this winding can be; sensor: the "
-             "thermistor, which is on one winding; second: the second thermometer. Absent while "
-             "not known");
+  page.gauge(
+      "temperature_celsius",
+      "Temperature in the ball. model: its hottest winding as estimated, which the "
+      "thresholds are for; upper: the upper bound of this winding's temperature; sensor: the "
+      "thermistor, which is on one winding; second: the second thermometer. Absent while "
+      "not known");
   page.add(temperature.model, {{"source", "model"}});
   page.add(temperature.upper, {{"source", "upper"}});
   page.add(temperature.sensor, {{"source", "sensor"}});
@@ -158,7 +159,7 @@ void heat(Page& page, const DeviceView& device_view, const protocol::Status& sta
       .add(now.totals.derated_s);
   page.gauge("fan_speed_rpm", "Measured speed of the fan, turns per minute; absent while not known")
       .add(status.fan.speed_rpm);
-  page.gauge("fan_duty_ratio", "How hard the fan is driven, 0 to 1").add(status.fan.duty);
+  page.gauge("fan_duty_ratio", "Duty ratio of the fan, 0 to 1").add(status.fan.duty);
 }
 
 void coils(Page& page, const DeviceView& device_view) {
@@ -168,7 +169,7 @@ void coils(Page& page, const DeviceView& device_view) {
   for (int i = 0; i < 3; ++i)
     if (const auto r25 = device_view.r25(i)) page.add(r25->ohm, {{"coil", kCoils[i]}});
   page.gauge("winding_r25_drift_ratio",
-             "By which share that resistance is above the device file's (file) and above that of "
+             "Relative deviation of that resistance from the device file's (file) and from that of "
              "an earlier start (kept)");
   for (int i = 0; i < 3; ++i) {
     if (const auto r25 = device_view.r25(i)) {
@@ -198,7 +199,7 @@ void effects(Page& page, const Counters& counters, const protocol::Status& statu
                "Effects by how they ended; refused: never started, because of heat");
   for (const auto& [key, count] : counters.effects)
     page.add(count, {{"method", std::string(key.first)}, {"outcome", std::string(key.second)}});
-  page.counter("effects_limited_total", "Effects that were admitted with less than was asked for");
+  page.counter("effects_limited_total", "Effects admitted with less than requested");
   for (const auto& [by, count] : counters.limited) page.add(count, {{"by", std::string(by)}});
   page.counter("trips_total", "How often the ball was switched off for safety, by reason");
   for (const auto& [why, count] : counters.trips) page.add(count, {{"reason", std::string(why)}});
@@ -210,9 +211,10 @@ void clients(Page& page, const HandlerContext& context) {
   std::map<std::string, double> connections{{"tcp", 0}, {"unix", 0}, {"websocket", 0}};
   for (const auto& [id, session] : context.sessions) ++connections[session->transport];
   for (const auto& [transport, count] : connections) page.add(count, {{"transport", transport}});
-  page.counter("connections_rejected_total",
-               "Clients that were not let in or were disconnected. cap: too many; slow: did not "
-               "read; not_json: no client of this protocol; host, origin: a foreign web page");
+  page.counter(
+      "connections_rejected_total",
+      "Connections rejected or closed by the daemon. cap: too many; slow: did not "
+      "read; not_json: no client of this protocol; host, origin: a web page of another site");
   for (const auto& [why, count] : counters.rejected)
     page.add(count, {{"reason", std::string(why)}});
   page.counter("requests_total", "Requests by method and error code; code 0: carried out");
@@ -225,9 +227,9 @@ void clients(Page& page, const HandlerContext& context) {
 
 void latency(Page& page, const LatencyLog& log) {
   page.family("effect_latency_seconds",
-              "Time that effects took on their way to the board. received: the request was read; "
-              "queued: to the control loop; applied: by a tick; written: the first frame with it "
-              "was sent",
+              "Latency of effects, from the request to the board, by stage. received: the request "
+              "was read; queued: to the control loop; applied: by a tick; written: the first frame "
+              "with it was sent",
               MetricType::Histogram);
   for (std::size_t i = 0; i < kLatencyStageNames.size(); ++i) {
     page.add(log.histogram(static_cast<LatencyStage>(i)),
@@ -249,7 +251,7 @@ void loop(Page& page, const control::StatusSnapshot& now) {
   page.add(now.link.frames_out, {{"direction", "out"}});
   page.add(now.link.frames_in, {{"direction", "in"}});
   page.counter("link_errors_total",
-               "Trouble on the way to the board. crc: damaged frames; sequence: lost frames; "
+               "Errors on the link to the board. crc: damaged frames; sequence: lost frames; "
                "timeout: set-points that could not be sent in time");
   page.add(now.link.errors, {{"kind", "crc"}});
   page.add(now.link.lost, {{"kind", "sequence"}});

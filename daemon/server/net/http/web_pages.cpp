@@ -6,7 +6,7 @@ namespace hedgehog::server {
 WebPages::WebPages(const std::string& folder)
     : files_(base::read_web_files(folder, base::WebFolder::kWithSubfolders, kMaxBytes)) {
   if (files_.too_large) {
-    problem_ = folder + ": more than 32 MB are no pages of ours; none are served";
+    problem_ = folder + ": larger than 32 MB, so not the dashboard's pages; none are served";
   } else if (files_.error) {
     files_.by_path.clear();
     problem_ = folder + ": " + files_.error.message() + "; the dashboard is not served";

@@ -43,7 +43,8 @@ std::optional<HttpResponse> Website::refusal(const HttpRequest& request) {
 HttpResponse Website::answer(const HttpRequest& request) {
   if (auto no = refusal(request)) return *std::move(no);
   if (request.method != "GET" && request.method != "HEAD") {
-    HttpResponse answer = http_error(405, "only GET and HEAD here; the protocol is spoken on /ws");
+    HttpResponse answer =
+        http_error(405, "only GET and HEAD are allowed; the protocol is served at /ws");
     answer.allow = "GET, HEAD";
     return answer;
   }
@@ -85,13 +86,13 @@ HttpResponse Website::recording(const std::string& name) const {
   HttpResponse answer{200, "application/octet-stream"};
   answer.filename = name;
   answer.pending = server_.read_recording(name);
-  return answer.pending ? answer : http_error(503, "the disk is slow; ask again");
+  return answer.pending ? answer : http_error(503, "the disk is slow; retry later");
 }
 
 HttpResponse Website::health() const {
   const control::StatusSnapshot& now = server_.device_view().now();
   if (server_.control_silent() > kMaxControlSilence)
-    return http_error(503, "the control loop stands still");
+    return http_error(503, "the control loop has stalled");
   std::string text = "ok\n" + std::string(control::name(now.state));
   if (now.reason != control::Reason::kNone)
     text += " (" + std::string(control::name(now.reason)) + ")";
@@ -101,7 +102,7 @@ HttpResponse Website::health() const {
 HttpResponse Website::page(const HttpRequest& request) const {
   const base::WebFile* page = pages_.find(request.path());
   if (page == nullptr && request.path() == "/") {
-    return http_error(404, "hedgehogd is here, but the dashboard's pages are not: " +
+    return http_error(404, "hedgehogd runs, but the dashboard's pages are missing: " +
                                pages_.problem() + ". The rest works: /ws, /metrics, /healthz");
   }
   if (page == nullptr) return http_error(404, "there is no such page");
