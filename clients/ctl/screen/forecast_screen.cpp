@@ -19,14 +19,13 @@ std::vector<std::string> forecast_screen(const protocol::ForecastResult& forecas
                                          const std::string& direction) {
   if (!forecast.temperature_known) {
     return {
-        "The temperature of the ball is unknown: no current is allowed, and no forecast is "
-        "possible.",
+        "The temperature of the ball is unknown: no current is allowed, no forecast is possible.",
         "Why, and what to do: hedgehogctl status"};
   }
   const bool full_now = forecast.recovery_s && *forecast.recovery_s <= 0.0;
   return {
       fixed(current_a, 1) + " A from now, " +
-          (direction.empty() ? "on the coil that heats up fastest" : direction) + ":",
+          (direction.empty() ? "on the coil that reaches its limit first" : direction) + ":",
       "  derated     " + forecast_words(forecast.seconds_to_derating),
       "  trips       " + forecast_words(forecast.seconds_to_limit) + ", if nothing were reduced",
       "  for ever    " + fixed(forecast.sustainable_a, 1) + " A",

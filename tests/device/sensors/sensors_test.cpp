@@ -138,7 +138,7 @@ TEST(TemperSensor, AnUnknownFirmwareIsNamed) {
   FakeTemper stick;
   stick.firmware = "TEMPerNew_V9    ";
   TemperSensor sensor(stick.opener(), desk.thermometer());
-  EXPECT_THAT(sensor.open(), HasSubstr("\"TEMPerNew_V9\" is not known"));
+  EXPECT_THAT(sensor.open(), HasSubstr("\"TEMPerNew_V9\" is not supported"));
   EXPECT_EQ(stick.open_ports, 0);
 }
 
