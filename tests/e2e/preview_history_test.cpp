@@ -55,7 +55,7 @@ TEST(PreviewAndHistory, APreviewPlaysNothingAndPredictsTheMeasurement) {
 
   const Ended shown = ctl(home, daemon, {"preview", "pulse", "left", "--current-a", "8"});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
-  EXPECT_THAT(shown.out, HasSubstr("pulse left, 150 ms, if it began now"));
+  EXPECT_THAT(shown.out, HasSubstr("pulse left, 150 ms, if it were started now"));
   EXPECT_THAT(shown.out, HasSubstr("limited by   nothing"));
   EXPECT_EQ(ctl(home, daemon, {"preview", "play", "heartbeat", "left"}).exit_code, 0);
   EXPECT_EQ(ctl(home, daemon, {"preview", "pulse", "left", "--level", "3"}).exit_code, 64);
