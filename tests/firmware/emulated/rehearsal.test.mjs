@@ -25,6 +25,8 @@ const kOhmToleranceAtGains = 0.015;
 const kMaxUncertainty = 0.08;
 const kTemporaryFailure = 75; // EX_TEMPFAIL
 const kMaxInterruptions = 10;
+/** From 0.5 A, in whole milliseconds. */
+const kDecayUs = 5000;
 const kThermal = process.env.HEDGEHOG_FIRMWARE_REHEARSAL === 'thermal';
 
 const folder = mkdtempSync(join(tmpdir(), 'hedgehog-rehearsal-'));
@@ -199,8 +201,8 @@ test('with that file it gives its first push, and its values are those of the ba
     await ball.hold('up', { slot: 'test', current_a: 0.5, lease_ms: 10_000 });
     await eventually('0.5 A flow', async () => Math.abs((await trueCurrents(ball))[2]) > 0.45);
     const lines = await daemon.control('unplug 300');
-    const [unplugged, asleep] = ['unplugged', 'asleep'].map((name) => lines.find(({ event }) => event === name));
-    assert.ok(Math.abs(asleep.us - unplugged.us) < 1000, JSON.stringify([unplugged, asleep]));
+    const [unplugged, zero] = ['unplugged', 'zero'].map((name) => lines.find(({ event }) => event === name));
+    assert.ok(zero.us - unplugged.us < kDecayUs, JSON.stringify([unplugged, zero]));
     await eventually('no current', async () => Math.hypot(...(await trueCurrents(ball))) < 0.1);
   });
 });
