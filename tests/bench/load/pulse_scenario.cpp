@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,6 +30,8 @@ std::int64_t play_pulse(Client& client) {
   bool answered = false;
   for (std::optional<std::int64_t> begun_ns;;) {
     const auto message = nlohmann::json::parse(client.line());
+    if (message.contains("error"))
+      throw std::runtime_error("a pulse was refused: " + message.dump());
     if (message.contains("method"))
       begun_ns = message["params"]["time_ns"].get<std::int64_t>();
     else
