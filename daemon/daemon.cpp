@@ -172,7 +172,7 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
     spdlog::info("no ball is connected");
   else
     spdlog::warn(
-        "the board has not confirmed that the coils are off; its dead-man timer switches them off");
+        "the board has not confirmed that the coils are off; its dead-man switches them off");
   server_.pump();
   server_.announce_shutdown(std::move(reason));
   state_store_.stopped_cleanly();

@@ -12,7 +12,7 @@ export class Backoff {
     return Math.max(0, this.#nextAttempt - performance.now());
   }
 
-  /** The wait until the next attempt. `atLeastMs`: the daemon wants no connection earlier. */
+  /** The wait until the next attempt. `atLeastMs`: the daemon accepts no connection earlier. */
   failed(atLeastMs) {
     this.#waitMs = Math.min(MAX_WAIT_MS, this.#waitMs ? 2 * this.#waitMs : FIRST_WAIT_MS);
     const wait = Math.max(this.#waitMs, atLeastMs);
@@ -27,7 +27,7 @@ export class Backoff {
 }
 
 /**
- * The time until `deadline` for one of so many attempts that are left: one that nobody answers leaves some to the next. At least
+ * The time until `deadline` for one of so many attempts that are left: one that gets no response leaves some to the next. At least
  * 1 ms, so that a daemon that answers at once is still found.
  */
 export function shareOf(deadline, attempts = 1) {

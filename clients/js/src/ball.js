@@ -167,7 +167,7 @@ export class BallCore extends Methods {
     try {
       this.hello = await this.#ask("hello", this.#hello, shareOf(deadline));
     } catch (error) {
-      // Half a connection is none.
+      // Without the response to `hello` the connection is of no use.
       if (!(error instanceof NotConnected)) this.#end(error.message);
       throw error;
     }

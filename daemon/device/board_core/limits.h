@@ -62,8 +62,8 @@ inline constexpr uint32_t kStuckMa = 500;
 /// The same in the supply line, where a short duty draws less current than the winding carries.
 inline constexpr uint32_t kStuckSupplyMa = 150;
 /// The bridges' capacitors (3.6 mF) charge through the supply line when the switch closes: at 12 V
-/// from a supply limited to 1 A, half of which the fan may take, in 95 ms. Until then only
-/// the amplifiers in the windings' leads detect a stuck bridge.
+/// from a supply limited to 1 A, half of which the fan may take, in 95 ms. Until then only the
+/// amplifiers in the windings' leads detect a stuck bridge.
 inline constexpr uint32_t kChargingMs = 200;
 /// More current in a winding than its duty can drive through the minimum resistance: a stuck PWM
 /// line, or a bridge that does not follow its input. Detected less than 25 ms after a winding at 15
