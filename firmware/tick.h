@@ -22,19 +22,25 @@ class Tick {
   bool take() noexcept {
     if (static_cast<int32_t>(now_us() - next_us_) < 0) return false;
     began_us_ = next_us_;
+    if (joined_ticks_ < kJoinEvery) ++joined_ticks_;
     set_next(next_us_ + kPeriodUs);
     return true;
   }
 
-  /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one
-  /// by half a per cent of a millisecond at most, until the bridges wake for the first time by
-  /// five: then no time of the rules counts yet. In the millisecond, at most once.
+  /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one,
+  /// by half a per cent of a millisecond at most. A host whose phase is far off is joined while the
+  /// bridges sleep, before it can drive: by half a millisecond at once, but once in `kJoinEvery`. In
+  /// the millisecond, at most once.
   void follow(uint32_t arrived_us, bool awake) noexcept {
     const int32_t late_us =
         static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
     int32_t step_us = late_us / kShare;
-    woken_ |= awake;
-    const int32_t max_step_us = woken_ ? kMaxStepUs : kMaxFirstStepUs;
+    int32_t max_step_us = kMaxStepUs;
+    if (!awake && joined_ticks_ == kJoinEvery && (late_us > kFarUs || late_us < -kFarUs)) {
+      joined_ticks_ = 0;
+      step_us = late_us;
+      max_step_us = kMaxJoinUs;
+    }
     if (step_us > max_step_us) step_us = max_step_us;
     if (step_us < -max_step_us) step_us = -max_step_us;
     set_next(next_us_ - static_cast<uint32_t>(step_us));
@@ -46,7 +52,11 @@ class Tick {
   static constexpr uint32_t kWaitUs = 250;
   static constexpr int32_t kShare = 8;
   static constexpr int32_t kMaxStepUs = 5;
-  static constexpr int32_t kMaxFirstStepUs = 50;
+  /// More than a host is late or early by from one set-point to the next.
+  static constexpr int32_t kFarUs = 250;
+  /// The shortened millisecond still has time for its work.
+  static constexpr int32_t kMaxJoinUs = 500;
+  static constexpr uint32_t kJoinEvery = 100;
 
   void set_next(uint32_t us) noexcept {
     next_us_ = us;
@@ -56,7 +66,7 @@ class Tick {
 
   uint32_t began_us_ = 0;
   uint32_t next_us_ = 0;
-  bool woken_ = false;
+  uint32_t joined_ticks_ = kJoinEvery;
 };
 
 }  // namespace hedgehog::firmware
