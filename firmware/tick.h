@@ -28,8 +28,8 @@ class Tick {
   }
 
   /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one,
-  /// by half a per cent of a millisecond at most. A host whose phase is far off is joined while the
-  /// bridges sleep, before it can drive: by half a millisecond at once, but once in `kJoinEvery`. In
+  /// by half a per cent of a millisecond at most. A host whose phase is far off is joined while
+  /// the bridges sleep, before it can drive: by half a millisecond, but once in `kJoinEvery`. In
   /// the millisecond, at most once.
   void follow(uint32_t arrived_us, bool awake) noexcept {
     const int32_t late_us =
