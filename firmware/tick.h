@@ -27,16 +27,17 @@ class Tick {
     return true;
   }
 
-  /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one,
-  /// by half a per cent of a millisecond at most. A host whose phase is far off is joined while
-  /// the bridges sleep, before it can drive: by half a millisecond, but once in `kJoinEvery`. In
-  /// the millisecond, at most once.
+  /// A set-point counts from this millisecond on, whose last packet arrived at `arrived_us`: moves
+  /// the next millisecond by half a per cent of one at most, or, if the phase is off by more than
+  /// `kFarUs`, by half of one, once in `kJoinEvery`. Call at most once a millisecond. A boost lasts
+  /// one: while the bridges are awake none becomes that much longer.
   void follow(uint32_t arrived_us, bool awake) noexcept {
     const int32_t late_us =
         static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
     int32_t step_us = late_us / kShare;
     int32_t max_step_us = kMaxStepUs;
-    if (!awake && joined_ticks_ == kJoinEvery && (late_us > kFarUs || late_us < -kFarUs)) {
+    const bool far = late_us > kFarUs || (!awake && late_us < -kFarUs);
+    if (far && joined_ticks_ == kJoinEvery) {
       joined_ticks_ = 0;
       step_us = late_us;
       max_step_us = kMaxJoinUs;
@@ -54,7 +55,7 @@ class Tick {
   static constexpr int32_t kMaxStepUs = 5;
   /// More than a host is late or early by from one set-point to the next.
   static constexpr int32_t kFarUs = 250;
-  /// The shortened millisecond still has time for its work.
+  /// Work that takes longer than the shortened millisecond delays the next one, which makes up.
   static constexpr int32_t kMaxJoinUs = 500;
   static constexpr uint32_t kJoinEvery = 100;
 

@@ -233,8 +233,8 @@ test('a thermistor opens under a flood of packets: the rules are kept', withBoar
   const ticks = board.ticks.length;
   board.run(150, () => void flood());
   assert.ok(board.events.length > 0 && board.events[0].us - us < 25e3, 'asleep');
-  // The set-points come late between the others: half a per cent, and half a millisecond when the bridges have slept.
-  assert.ok(board.ticks.length - ticks >= 148, 'every millisecond was kept');
+  // None is left out; the set-points between the others come late, which may move the millisecond by half a per cent and half of one.
+  assert.ok(board.ticks.length - ticks >= 148, `${board.ticks.length - ticks} milliseconds`);
   assertSafePins(board);
   assertNoCurrent(board);
 }));

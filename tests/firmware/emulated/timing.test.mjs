@@ -75,6 +75,7 @@ function measureLatency(board, driver, ms, lateUs) {
 }
 
 const kSettlingMs = 250;
+const kPhases = 16;
 const kHosts = [
   ['whose clock is slow by 0.3 %', 1_003_000, () => 0],
   ['whose clock is fast by 0.3 %', 997_000, () => 0],
@@ -98,22 +99,25 @@ for (const [which, frameNanos, lateUs] of kHosts) {
   }));
 }
 
-test('the millisecond of the board follows the set-points from any phase, and by half a per cent at most', withBoard((board, driver) => {
+test('the millisecond of the board follows the set-points from any phase, in one shorter one and by half a per cent', withBoard((board, driver) => {
   driver.drive([0, 0, 0], 5);
   const worst = [];
-  for (let phase = 0; phase < 8; ++phase) {
-    shiftPhase(board, (phase + 1) / 8);
-    board.ticks.length = 0;
+  for (let phase = 0; phase < kPhases; ++phase) {
     measureLatency(board, driver, kSettlingMs, () => 0);
+    board.ticks.length = 0;
+    shiftPhase(board, (phase + 1) / kPhases);
+    // The first set-point of the new phase.
+    board.run(2);
+    worst.push(percentile(measureLatency(board, driver, kSettlingMs, () => 0).pwm, 1));
     const periods = board.ticks.slice(1).map((us, i) => us - board.ticks[i]);
     // The loop takes a few microseconds after it wakes.
-    assert.ok(Math.min(...periods) > 985 && Math.max(...periods) < 1015, `${Math.min(...periods)}..${Math.max(...periods)}`);
+    const joined = periods.filter((us) => us < 985);
+    assert.ok(joined.length <= 1 && Math.min(...periods) > 485 && Math.max(...periods) < 1015, `${Math.min(...periods)}..${Math.max(...periods)}`);
     const mean = periods.slice(0, 50).reduce((sum, one) => sum + one, 0) / 50;
-    assert.ok(mean > 994.9 && mean < 1005.1, `${mean}`);
-    worst.push(percentile(measureLatency(board, driver, 30, () => 0).pwm, 1));
+    assert.ok(mean > 984.9 && mean < 1005.1, `${mean}`);
   }
-  console.log(`set-point to PWM, worst after each of eight shifts: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
-  assert.ok(Math.max(...worst) < 700);
+  console.log(`set-point to PWM, worst after each of ${kPhases} shifts: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
+  assert.ok(Math.max(...worst) <= 1000);
 }));
 
 test('bad packets do not move the millisecond of the board', withBoard((board, driver) => {
@@ -127,7 +131,7 @@ test('bad packets do not move the millisecond of the board', withBoard((board, d
   assert.ok(Math.abs(mean - 1000) < 0.2, `${mean} us`);
 }));
 
-test('a host that sends at any time moves the millisecond of a sleeping board by half a per cent, once in 100 by half of one', withBoard((board, driver) => {
+test('a host that sends at any time moves the millisecond of a sleeping board by half a per cent, at most once in 100 ticks by half a millisecond', withBoard((board, driver) => {
   driver.enumerate();
   const random = noise(0x51a3c07);
   const all = 1000;
@@ -160,8 +164,6 @@ test(`${kTicks} frames are those of the board core on the host`, withBoard((boar
   assert.ok(mirror.compared > 0.95 * kTicks);
   assert.ok(mirror.modes.has(kMode.driving) && mirror.modes.has(kMode.latched));
 }));
-
-const kPhases = 16;
 
 /** The host's very first frame has a set-point and the arm request: all that follow may drive. */
 function armAtOnce(board, driver) {
@@ -213,7 +215,7 @@ for (const [which, prepare] of kFirstHosts) {
       })();
     }
     console.log(`set-point to PWM, worst of a host's first 100 ms: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
-    // Those of a board that is synchronised step by step wait up to 1.15 ms at first.
+    // Without the join they wait up to 1.15 ms.
     assert.ok(Math.max(...worst) <= 1000, `${worst}`);
   });
 }
