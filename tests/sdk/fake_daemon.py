@@ -55,16 +55,17 @@ def send(connection, data, piece):
         connection.sendall(data[at:at + (piece or len(data))])
 
 
-def turn_away(error, connection, lines):
-    """As a daemon that has no place for another client: the message of the client, which has come, is not read."""
-    select.select([connection], [], [], 60)
+def turn_away(error, connection, lines, at_once):
+    """As a daemon that has no place for another client: the client's message, if it has come, is not read."""
+    if not at_once:
+        select.select([connection], [], [], 60)
     connection.sendall(lines.encode(line_of({"jsonrpc": "2.0", "id": None, "error": error})))
 
 
 def play(step, connection, lines, unanswered):
     """`unanswered`: ids of earlier requests, by the names in their steps."""
     if "turn_away" in step:
-        turn_away(step["turn_away"], connection, lines)
+        turn_away(step["turn_away"], connection, lines, step.get("at_once"))
         return
     if step == "hello":
         step = {"expect": {"method": "hello"}, "result": HELLO}

@@ -5,7 +5,7 @@
 Each README's program is written to an empty folder beside the sources, and its commands are pasted verbatim into one shell, in which
 `hedgehogd` is at a free port. Commands that wait for the daemon get one that starts LATE_S later, so that they fail if they do not
 wait. The printed table has the number of commands and the time until the daemon started the first pulse, without LATE_S. Exit: 1 a
-quick start fails, or the table of clients/README.md has another number of commands.
+quick start fails, its push is cut off, or the table of clients/README.md has another number of commands.
 """
 
 import itertools
@@ -40,11 +40,12 @@ NOTES = {"Unreal": "  with the stub of the engine"}
 
 
 class FirstPulse:
-    """The time at which the daemon started the first effect without a slot: each program's push."""
+    """The time at which the daemon started the first effect without a slot, each program's push, and why it ended."""
 
     def __init__(self, address):
         self._address = address
         self._at = None
+        self._reason = None
         self._closed = threading.Event()
         self._connected = threading.Event()
         self._thread = threading.Thread(target=self._wait)
@@ -65,12 +66,19 @@ class FirstPulse:
             return
         with ball:
             try:
-                events = ball.events(["effect_started"], scope="all", timeout_s=LIMIT_S)
+                kinds = ["effect_started", "effect_ended"]
+                events = ball.events(kinds, scope="all", timeout_s=LIMIT_S)
                 # What was played before this subscription.
-                past = ball.events_history(types=["effect_started"])["events"]
+                past = ball.events_history(types=kinds)["events"]
                 self._connected.set()
-                if any(event.get("slot") is None for event in itertools.chain(past, events)):
-                    self._at = time.monotonic()
+                pushed = None
+                for event in itertools.chain(past, events):
+                    if event["type"] == "effect_started" and event.get("slot") is None and pushed is None:
+                        self._at = time.monotonic()
+                        pushed = event["effect"]
+                    if event["type"] == "effect_ended" and event["effect"] == pushed:
+                        self._reason = event["reason"]
+                        return
             except hedgehog.NotConnected:
                 # The daemon has ended.
                 return
@@ -79,8 +87,9 @@ class FirstPulse:
         self._connected.wait(LIMIT_S)
 
     def result(self):
+        """Its time, and the reason of its end; None: there was no push, or no end."""
         self._thread.join()
-        return self._at
+        return self._at, self._reason
 
     def close(self):
         self._closed.set()
@@ -95,7 +104,7 @@ def start_engine(library, game, environment):
 
 
 def time_quick_start(daemon_program, library, commands, game):
-    """Seconds until the first pulse; None: there was none."""
+    """Seconds until the first pulse, and the reason of its end; None: there was none."""
     assert commands[0].startswith(START), commands
     late_s = LATE_S if library in WAITING else 0.0
     started = time.monotonic()
@@ -106,18 +115,18 @@ def time_quick_start(daemon_program, library, commands, game):
         # An engine is started by hand, later than its daemon.
         first.wait_until_connected()
         running = start_engine(library, game, terminal.environment)
-        at = first.result()
+        at, reason = first.result()
         if running:
             running.kill()
             running.communicate()
     finally:
         terminal.close()
         first.close()
-    return at - started - late_s if at else None
+    return (at - started - late_s if at else None), reason
 
 
 def measure_quick_start(daemon_program, library):
-    """The number of commands, and the seconds until the first pulse."""
+    """The number of commands, the seconds until the first pulse, and the reason of its end."""
     path, language, files = LIBRARIES[library]
     guide = readme.Readme(path)
     with tempfile.TemporaryDirectory() as folder:
@@ -125,7 +134,7 @@ def measure_quick_start(daemon_program, library):
         if library == "Godot":
             # The editor's part: a scene, to whose node the script is attached.
             project.make_scene(game, "godot3")
-        return len(guide.commands()), time_quick_start(daemon_program, library, guide.commands(), game)
+        return (len(guide.commands()), *time_quick_start(daemon_program, library, guide.commands(), game))
 
 
 def documented():
@@ -148,10 +157,10 @@ def main():
     print("%-24s %9s %9s" % ("", "commands", "seconds"))
     well = print_row(FROM_CLONE, len(readme.Readme("README.md").commands()), "-", "  measured by clone.py")
     for library in libraries:
-        commands, seconds = measure_quick_start(sys.argv[1], library)
-        note = NOTES.get(library, "") + ("  nothing was felt" if seconds is None else "")
+        commands, seconds, reason = measure_quick_start(sys.argv[1], library)
+        note = NOTES.get(library, "") + ("" if reason == "completed" else "  its push: %s" % (reason or "none"))
         row = print_row(library, commands, "-" if seconds is None else "%.1f" % seconds, note)
-        well = well and row and seconds is not None
+        well = well and row and reason == "completed"
     return 0 if well else 1
 
 

@@ -23,6 +23,7 @@ var _introduction := {}
 var _timeout_s := 0.0
 var _deadline_s := 0.0
 var _hello_id := 0
+var _was_answered := false
 var _last_id := 0
 # By id: [request, when it is late].
 var _pending := {}
@@ -47,7 +48,7 @@ func is_open() -> bool:
 
 # Whether the other side is there, as a daemon or not.
 func was_reached() -> bool:
-	return _hello_id > 0
+	return _hello_id > 0 or _was_answered
 
 
 func ask(request, params: Dictionary) -> void:
@@ -115,6 +116,7 @@ func _check_deadlines() -> void:
 
 
 func _receive(line: String) -> void:
+	_was_answered = true
 	var message = _engine.from_text(line)
 	if not message is Dictionary:
 		ended = "the server is not a Hedgehog daemon"
@@ -127,7 +129,8 @@ func _receive(line: String) -> void:
 	# Numbers come as floats.
 	var id = message.get("id")
 	id = int(id) if id != null and str(id).is_valid_float() else 0
-	if id == _hello_id:
+	# A daemon without a place for another client says so before it is asked.
+	if id == _hello_id and id > 0:
 		_take_introduction(message)
 	elif _pending.has(id):
 		var request = _pending[id][0]
