@@ -37,11 +37,17 @@ std::string text_of(json params) {
 /// The daemon's side of a case, as a separate process.
 class FakeDaemon {
  public:
-  FakeDaemon(const std::string& folder, const std::string& name)
+  FakeDaemon(const std::string& folder, const std::string& name, const json& environment)
       : pipe_(::popen(("python3 '" + folder + "/fake_daemon.py' \"" + name + "\"").c_str(), "r")) {
     char port[16] = {};
     expect(pipe_ != nullptr && std::fgets(port, sizeof port, pipe_) != nullptr, "a port");
-    address_ = {.host = "127.0.0.1", .port = static_cast<std::uint16_t>(std::atoi(port))};
+    const auto variables = [&environment](const std::string& name) -> std::optional<std::string> {
+      if (!environment.contains(name)) return std::nullopt;
+      return environment[name].get<std::string>();
+    };
+    address_ = client::daemon_addresses("127.0.0.1:" + std::to_string(std::atoi(port)), variables)
+                   .value()
+                   .front();
   }
   FakeDaemon(const FakeDaemon&) = delete;
   FakeDaemon& operator=(const FakeDaemon&) = delete;
@@ -146,23 +152,22 @@ void play(Library& library, const json& step, json& ended) {
 template <class Library>
 void play_case(const std::string& folder, const json& one) {
   const std::string name = one["name"];
-  FakeDaemon daemon(folder, name);
+  FakeDaemon daemon(folder, name, one.value("environment", json::object()));
   {
     Library library(daemon.address(),
                     {.name = "conformance", .timeout = name == kSlow ? kSlowTimeout : kTimeout});
     const auto opened = library.open();
-    if (one["client"][0].contains("open")) {
-      check(one["client"][0],
-            opened ? client::Outcome<std::string>(std::string()) : opened.error());
-    } else {
+    if (!one["client"][0].contains("open"))
       expect(opened.has_value(), opened ? "" : opened.error().message);
-      json ended = json::array();
-      for (const json& step : one["client"]) {
-        const auto began = std::chrono::steady_clock::now();
+    json ended = json::array();
+    for (const json& step : one["client"]) {
+      const auto began = std::chrono::steady_clock::now();
+      if (step.contains("open"))
+        check(step, opened ? client::Outcome<std::string>(std::string()) : opened.error());
+      else
         play(library, step, ended);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
-        expect(taken.count() >= step.value("at_least_s", 0.0), "too early");
-      }
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+      expect(taken.count() >= step.value("at_least_s", 0.0), "too early");
     }
   }
   expect(daemon.finish(), "what the daemon expects");

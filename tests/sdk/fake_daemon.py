@@ -23,6 +23,13 @@ def line_of(message):
     return json.dumps(message, ensure_ascii=False).encode("utf-8") + b"\n"
 
 
+def is_same(name, value, expected):
+    if isinstance(expected, float):
+        return abs(value - expected) < 1e-9
+    # "1" and "1.0" are the same major version.
+    return str(value).split(".")[0] == expected if name == "protocol" else value == expected
+
+
 def check(expected, message):
     if message.get("method") != expected["method"]:
         raise Refused("expected %s, came %s" % (expected["method"], message.get("method")))
@@ -31,8 +38,7 @@ def check(expected, message):
     if "params" in expected:
         params = message.get("params", {})
         same = params.keys() == expected["params"].keys() and all(
-            abs(params[k] - v) < 1e-9 if isinstance(v, float) else params[k] == v
-            for k, v in expected["params"].items())
+            is_same(name, params[name], value) for name, value in expected["params"].items())
         if not same:
             raise Refused("%s: parameters %s" % (expected["method"], json.dumps(params)))
 
