@@ -132,6 +132,12 @@ quick_start() {
 }
 felt "quick start" quick_start
 
+awk '/^```cpp$/ { ++n; next } /^```$/ { if (n == 2) exit; next } n == 2' "$source/clients/cpp.md" >"$work/empty/threaded.cpp"
+# shellcheck disable=SC2046  # flags are words
+(cd "$work/empty" && "${CXX:-c++}" -std=c++20 -Wall -Wextra -Werror threaded.cpp -o threaded \
+  $(PKG_CONFIG_PATH="$config" pkg-config --cflags --libs hedgehog-client))
+felt "with a thread" "$work/empty/threaded"
+
 step "the quick start of C++"
 PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/quick_starts.py" "$prefix/bin/hedgehogd" C++
 
