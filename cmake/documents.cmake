@@ -10,6 +10,8 @@ set(documents
     config/README.md configuration.md
     config/monitoring/README.md monitoring.md
     clients/study/troubleshooting.md study-troubleshooting.md
+    clients/mqtt/README.md mqtt.md
+    clients/mqtt/fleet.md mqtt-fleet.md
     clients/troubleshooting.md client-troubleshooting.md
     daemon/access.md access.md
     daemon/control/trip-reasons.md trip-reasons.md

@@ -18,6 +18,7 @@ import urllib.request
 
 BUILD, DAEMONS, SECONDS = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2]), float(sys.argv[3])
 HZ = 1
+SCRAPE_S = 5
 TICKS = os.sysconf("SC_CLK_TCK")
 
 
@@ -83,17 +84,23 @@ def query(prometheus, expression):
     return int(float(result[0]["value"][1])) if result else 0
 
 
-def lost_telemetry(lines):
-    """(messages, lost, balls)."""
-    last, messages, lost = {}, 0, 0
+def missing_telemetry(lines):
+    """(messages, periods of the balls' time without one, balls)."""
+    last, messages, missing = {}, 0, 0
     for line in lines:
         topic, _, payload = line.partition(" ")
         now = json.loads(payload)["time_ns"]
         if topic in last:
-            lost += max(0, round((now - last[topic]) / 1e9 * HZ) - 1)
+            missing += max(0, round((now - last[topic]) / 1e9 * HZ) - 1)
         last[topic] = now
         messages += 1
-    return messages, lost, len(last)
+    return messages, missing, len(last)
+
+
+def dropped(socket):
+    """What the broker did not pass on to its subscribers."""
+    return int(subprocess.run(["mosquitto_sub", "--unix", socket, "-t", "$SYS/broker/publish/messages/dropped", "-C", "1"],
+                              check=True, capture_output=True, text=True).stdout)
 
 
 def main(folder):
@@ -105,7 +112,7 @@ def main(folder):
         while not (folder / "broker.sock").exists():
             time.sleep(0.1)
         pages = [fleet.daemon(number) for number in range(DAEMONS)]
-        config = {"global": {"scrape_interval": "5s"},
+        config = {"global": {"scrape_interval": f"{SCRAPE_S}s"},
                   "scrape_configs": [{"job_name": "hedgehog", "static_configs": [{"targets": pages}]}]}
         (folder / "prometheus.yml").write_text(json.dumps(config))
         fleet.start("prometheus", ["prometheus", f"--config.file={folder}/prometheus.yml",
@@ -122,6 +129,7 @@ def main(folder):
         after, took = fleet.usage(), time.monotonic() - begun
         span = f"{int(SECONDS)}s"
         scrapes = query(prometheus, f"sum(count_over_time(up[{span}]))")
+        lost = dropped(folder / "broker.sock")
         good = query(prometheus, f"sum(sum_over_time(up[{span}]))")
     finally:
         fleet.end()
@@ -129,8 +137,9 @@ def main(folder):
     print("| program | number | processor time, % of one | memory, MB |\n|---|---|---|---|")
     for kind, (cpu, memory, count) in after.items():
         print(f"| {kind} | {count} | {100 * (cpu - before[kind][0]) / took:.1f} | {memory / 1e6:.0f} |")
-    messages, lost, balls = lost_telemetry((folder / "telemetry").read_text().splitlines())
-    print(f"telemetry: {messages} messages of {balls} balls, {lost} lost; scrapes: {scrapes}, {scrapes - good} failed")
+    messages, missing, balls = missing_telemetry((folder / "telemetry").read_text().splitlines())
+    print(f"telemetry: {messages} messages of {balls} balls, {missing} not sent in time, {lost} dropped by the broker")
+    print(f"scrapes: {DAEMONS * SECONDS // SCRAPE_S} due, {scrapes} made, {scrapes - good} of them failed")
     if balls != DAEMONS or not scrapes:
         sys.exit("tests/fleet: not every ball was heard of")
 

@@ -53,10 +53,17 @@ TEST_F(MqttBridge, RetainsMessagesForLateSubscribers) {
 }
 
 TEST_F(MqttBridge, NamesTheBallOfEachMessage) {
-  const Subscriber properties(home, broker.socket(), {"hedgehog/+/availability"}, "%t %P");
+  const Subscriber properties(home, broker.socket(), {"hedgehog/#", "replies/#"}, "%t %P");
   start();
-  EXPECT_TRUE(
-      properties.receives("hedgehog/HH-0042/availability device:HH-0042 model:hedgehog-86"));
+  Program request(
+      home, "/usr/bin/mosquitto_rr",
+      {"--unix", broker.socket(), "-V", "5", "-W", "60", "-t", "hedgehog/HH-0042/effect/pulse",
+       "-e", "replies/1", "-m", R"({"direction": "left", "level": 0.5, "duration_ms": 200})"});
+  EXPECT_EQ(request.wait().exit_code, 0);
+  for (const char* topic :
+       {"hedgehog/HH-0042/availability", "hedgehog/HH-0042/status", "hedgehog/HH-0042/description",
+        "hedgehog/HH-0042/telemetry", "hedgehog/HH-0042/event/effect_started", "replies/1"})
+    EXPECT_TRUE(properties.receives(topic + std::string(" device:HH-0042 model:hedgehog-86")));
 }
 
 TEST_F(MqttBridge, PlaysRequestsAndRespondsOnTheResponseTopic) {

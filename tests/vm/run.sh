@@ -66,7 +66,7 @@ printf '%s\n' "$writable" >"$talk/writable"
 cp "$here/guest-main.sh" "$talk/main"
 [ -z "$systemd" ] || cp "$here/guest-vm.service" "$here/guest-vm.target" "$talk"
 
-# One emulated processor whose clock counts its own instructions, 2 ns each: time in the guest is independent of this
+# One emulated processor whose clock counts its own instructions, 1 ns each: time in the guest is independent of this
 # machine's load. A basic one: vector instructions, which libc would use, take longer to emulate than the scalar ones.
 # shellcheck disable=SC2054 # the commas are qemu's
 machine=(qemu-system-x86_64 -nodefaults -no-user-config -display none -monitor none -no-reboot

@@ -120,29 +120,38 @@ process=$(property MainPID)
 echo '{ "limits": { "current_a": 10 } }' >/etc/hedgehog/hedgehogd.json
 systemctl reload hedgehogd
 eventually logged "configuration reloaded"
+eventually has . limit_a 10
 echo '{ "limits": { "curent_a": 9 } }' >/etc/hedgehog/hedgehogd.json
 ! systemctl reload hedgehogd 2>/tmp/out || fail "it reloads wrong settings"
 eventually logged "did you mean"
 are hedgehogd ActiveState=active "MainPID=$process"
+has . limit_a 10 || fail "the refused settings have changed something"
 
 step "for other machines: a socket unit, in which the service's own restriction to loopback stays"
 ip address add 192.0.2.7/32 dev lo
 HEDGEHOG_TOKEN=$(hedgehogctl token add arcade --role play | head -n 1)
 HEDGEHOG_FINGERPRINT=$(hedgehogctl token certificate | head -n 1)
 export HEDGEHOG_TOKEN HEDGEHOG_FINGERPRINT
-echo '{ "listen": { "tcp": ["127.0.0.1:7586", "192.0.2.7:7586"] } }' >/etc/hedgehog/hedgehogd.json
+echo '{ "listen": { "tcp": ["127.0.0.1:7586", "192.0.2.7:7586"] }, "http": { "listen": "192.0.2.7:7587" } }' >/etc/hedgehog/hedgehogd.json
 systemctl restart hedgehogd
 from_afar() { HEDGEHOG_PATIENCE_MS=$1 hedgehogctl --address tls://192.0.2.7:7586 "${@:2}"; }
 ! from_afar 3000 status >/tmp/out 2>&1 || fail "the service exchanges packets with other machines: $(cat /tmp/out)"
 # The example of systemd/README.md, with this machine's address.
 sed -n 's/^    //p' /usr/share/doc/hedgehogd/systemd.md | sed -n '/^Description=.*other machines/,/^WantedBy=/p' |
   sed -e '1i[Unit]' -e 's/192.168.7.5/192.0.2.7/; s/192.168.7.0/192.0.2.0/' >/etc/systemd/system/hedgehogd.socket
-grep -q "ListenStream=192.0.2.7:7586" /etc/systemd/system/hedgehogd.socket || fail "the documents have no socket unit"
+[ "$(grep -c "ListenStream=192.0.2.7:758[67]" /etc/systemd/system/hedgehogd.socket)" = 2 ] || fail "the documents have no socket unit"
 systemctl daemon-reload
 systemctl enable --quiet hedgehogd.socket
 systemctl restart hedgehogd
 are hedgehogd.socket ActiveState=active
 eventually from_afar 60000 pulse left
+scraped() {
+  python3 -c '
+import os, ssl, urllib.request
+page = urllib.request.Request("https://192.0.2.7:7587/metrics", headers={"Authorization": "Bearer " + os.environ["HEDGEHOG_TOKEN"]})
+assert b"hedgehog_build_info" in urllib.request.urlopen(page, timeout=60, context=ssl._create_unverified_context()).read()'
+}
+eventually scraped
 # From an address that the socket does not allow.
 ip address add 198.51.100.7/32 dev lo
 ! python3 -c 'import socket; socket.create_connection(("192.0.2.7", 7586), 3, ("198.51.100.7", 0))' 2>/tmp/out ||
