@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures the way from a clone to a running daemon, by the commands of clients/README.md: clone.py [REPOSITORY].
+"""Measures the way from a clone to the first push, by the commands of clients/README.md: clone.py [REPOSITORY].
 
 The default repository is this one, as it is committed. The compiler's cache is empty, as on a new machine; packages that are
-already installed are not installed again. Prints the seconds after each command. Exit: 1 the daemon did not start.
+already installed are not installed again. Prints the seconds after each command, and for each library all commands and seconds
+from the clone: C++ needs `make release` and `make install` too, here into a folder. Exit: 1 the daemon did not start, or a push
+was not felt.
 """
 
 import os
@@ -15,6 +17,7 @@ import sys
 import tempfile
 import time
 
+import quick_starts
 import readme
 from readme import ROOT
 
@@ -29,6 +32,36 @@ def wait_until_listening(daemon):
     return False
 
 
+def run_in(folder, environment, command, started):
+    subprocess.run(["bash", "-c", command], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
+    print("%7.0f s  %s" % (time.monotonic() - started, command), flush=True)
+
+
+def start_daemon(folder, environment, command, started):
+    """Seconds until it listens; None: it did not start. It is ended."""
+    daemon = subprocess.Popen(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True,
+                              start_new_session=True)
+    listens = wait_until_listening(daemon)
+    took_s = time.monotonic() - started
+    print("%7.0f s  %s" % (took_s, command if listens else "the daemon did not start"), flush=True)
+    os.killpg(daemon.pid, signal.SIGTERM)
+    daemon.communicate()
+    return took_s if listens else None
+
+
+def print_libraries(prefix, daemon_s, library_s):
+    """False: a push was not felt. The first command of a README, the daemon's start, is replaced by two, clone and `make run`."""
+    well = True
+    print("%-12s %9s %9s" % ("", "commands", "seconds"))
+    for library in quick_starts.LIBRARIES:
+        commands, seconds, reason = quick_starts.measure_quick_start(str(prefix / "bin" / "hedgehogd"), library)
+        well = well and reason == "completed"
+        built, more_s = (2, library_s) if library == "C++" else (0, 0.0)
+        shown = "no push" if seconds is None else "%.0f" % (daemon_s + more_s + seconds)
+        print("%-12s %9d %9s" % (library, commands + 1 + built, shown), flush=True)
+    return well
+
+
 def main():
     repository = sys.argv[1] if len(sys.argv) > 1 else str(ROOT)
     clone, run = readme.Readme("README.md").commands()
@@ -38,15 +71,17 @@ def main():
         for name in ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR"):
             environment[name] = folder
         started = time.monotonic()
-        subprocess.run(["bash", "-c", clone.replace("REPOSITORY", repository)], cwd=folder, env=environment, check=True)
-        print("%7.0f s  %s" % (time.monotonic() - started, clone), flush=True)
-        daemon = subprocess.Popen(["bash", "-c", run], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True,
-                                  start_new_session=True)
-        listens = wait_until_listening(daemon)
-        print("%7.0f s  %s" % (time.monotonic() - started, run if listens else "the daemon did not start"))
-        os.killpg(daemon.pid, signal.SIGTERM)
-        daemon.communicate()
-    return 0 if listens else 1
+        run_in(folder, environment, clone.replace("REPOSITORY", repository), started)
+        daemon_s = start_daemon(folder, environment, run, started)
+        if daemon_s is None:
+            return 1
+        started = time.monotonic()
+        prefix = pathlib.Path(folder) / "prefix"
+        run_in(folder, environment, "make -C hedgehog release", started)
+        run_in(folder, environment, "make -C hedgehog install PREFIX=%s" % prefix, started)
+        library_s = time.monotonic() - started
+        os.environ["PKG_CONFIG_PATH"] = str(next(prefix.rglob("hedgehog-client.pc")).parent)
+        return 0 if print_libraries(prefix, daemon_s, library_s) else 1
 
 
 if __name__ == "__main__":
