@@ -5,7 +5,7 @@
 Each README's program is written to an empty folder beside the sources, and its commands are pasted verbatim into one shell, in which
 `hedgehogd` is at a free port. Commands that wait for the daemon get one that starts LATE_S later, so that they fail if they do not
 wait. The printed table has the number of commands and the time until the daemon started the first pulse, without LATE_S. Exit: 1 a
-quick start fails, its push is cut off, or the table of clients/README.md has another number of commands.
+quick start fails, has more than ten lines, its push is cut off, or the table of clients/README.md has another number of commands.
 """
 
 import itertools
@@ -31,6 +31,7 @@ START = "hedgehogd --simulate &"
 # Programs that make one attempt to connect, and that nothing slow precedes.
 WAITING = ("Python",)
 LATE_S = 1.0
+MAX_LINES = 10
 # README, language, files. C++ needs an installed library, therefore tests/install runs it.
 LIBRARIES = {"Python": ("python/README.md", "python", ["game.py"]), "JavaScript": ("js/README.md", "js", ["game.mjs"]),
              "C#": ("unity/README.md", "csharp", ["game.cs"]), "C++": ("lib/README.md", "cpp", ["game.cpp"]),
@@ -131,6 +132,7 @@ def measure_quick_start(daemon_program, library):
     guide = readme.Readme(path)
     with tempfile.TemporaryDirectory() as folder:
         game = guide.project(folder, language, files)
+        assert guide.program(language).count("\n") <= MAX_LINES, "%s: more than %d lines" % (path, MAX_LINES)
         if library == "Godot":
             # The editor's part: a scene, to whose node the script is attached.
             project.make_scene(game, "godot3")
