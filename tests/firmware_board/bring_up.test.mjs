@@ -32,6 +32,24 @@ test("SLP to ground reads its resistor, 12V to ground the divider of the supply"
   within(upper.value + lower.value, upper.tol, [1e3 * kiloohm * (1 - percent / 100), 1e3 * kiloohm * (1 + percent / 100)]);
 });
 
+test("PWM and SWITCH to ground read their resistors beside the pull-downs of what they drive", () => {
+  for (const [pattern, ref, type, pin] of [[/each PWM and GND \| ([\d.]+)–([\d.]+) kΩ/, "R7", "G2_18V17", "PWM"], [/SWITCH and GND \| ([\d.]+)–([\d.]+) kΩ/, "R2", "BTS50010", "IN"]]) {
+    const { min, max } = kTypes.get(type).pins.get(pin).pull;
+    const { value, tol } = resistor(ref);
+    const parallel = (a, b) => (a * b) / (a + b);
+    const [low, high] = printed(pattern).map((kiloohm) => 1e3 * kiloohm);
+    assert.ok(low < parallel(value * (1 - tol), min) && high > parallel(value * (1 + tol), max), `${low}..${high}`);
+    assert.ok(low > 0.9 * parallel(value * (1 - tol), min) && high < 1.1 * parallel(value * (1 + tol), max), `${low}..${high}`);
+  }
+});
+
+test("VREF is set for chopping at 18 A, CS shows its zero", () => {
+  const driver = kTypes.get("G2_18V17");
+  const [vref, amps] = printed(/each VREF \| .* ([\d.]+) ± [\d.]+ V: chopping at (\d+) A/);
+  assert.ok(Math.abs(vref - driver.sense_zero_v - amps * driver.sense_v_per_a) < 0.001, `${vref} V`);
+  assert.deepEqual(printed(/each CS \| about ([\d.]+) V/), [driver.sense_zero_v]);
+});
+
 test("V_SUP at 12 V is what the divider gives", () => {
   const { upper, lower } = circuitAt(reference, kTypes, "U7.CH4");
   const [volts] = printed(/V_SUP \| (1[\d.]+) V at 12\.0 V/);
