@@ -25,8 +25,8 @@ git symbolic-ref --quiet HEAD >/dev/null || fail "no branch is checked out"
 before=$(sed -nE 's/^project\(hedgehog VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
 newest=$(git tag --list 'v[0-9]*' --sort=-version:refname | head -n 1)
 { [ -z "$newest" ] || dpkg --compare-versions "$version" gt "${newest#v}"; } || fail "$version is not above $newest"
-# Packages of commits after a version are VERSION+git..., which is above it.
-dpkg --compare-versions "$version" gt "$before" || fail "$version is not above $before of CMakeLists.txt, which packages of commits are above already"
+# Packages of commits are $before+git..., so a release of $before itself would be older than they are.
+dpkg --compare-versions "$version" gt "$before" || fail "$version is not above $before of CMakeLists.txt"
 grep -q "^## \[Unreleased\]$" CHANGELOG.md || fail "CHANGELOG.md has no [Unreleased]"
 ! grep -qF "## [$version]" CHANGELOG.md || fail "CHANGELOG.md has [$version] already"
 notes=$(awk '/^## / { on = $0 == "## [Unreleased]"; next } on' CHANGELOG.md)

@@ -22,23 +22,24 @@ class Tick {
   bool take() noexcept {
     if (static_cast<int32_t>(now_us() - next_us_) < 0) return false;
     began_us_ = next_us_;
-    if (joined_ticks_ < kJoinEvery) ++joined_ticks_;
+    if (ticks_since_join_ < kJoinEvery) ++ticks_since_join_;
     set_next(next_us_ + kPeriodUs);
     return true;
   }
 
-  /// A set-point counts from this millisecond on, whose last packet arrived at `arrived_us`: moves
-  /// the next millisecond by half a per cent of one at most, or, if the phase is off by more than
-  /// `kFarUs`, by half of one, once in `kJoinEvery`. Call at most once a millisecond. A boost lasts
-  /// one: while the bridges are awake none becomes that much longer.
+  /// A set-point was taken in this millisecond; the host's last packet arrived at `arrived_us`.
+  /// Moves the start of the next millisecond towards `kWaitUs` after that arrival: by at most 5 us,
+  /// or, when it is more than `kFarUs` away, by at most 500 us, once in `kJoinEvery` ticks. Call at
+  /// most once a millisecond. While the bridges are awake no millisecond becomes longer by more
+  /// than 5 us, because a boost lasts one.
   void follow(uint32_t arrived_us, bool awake) noexcept {
     const int32_t late_us =
         static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
     int32_t step_us = late_us / kShare;
     int32_t max_step_us = kMaxStepUs;
     const bool far = late_us > kFarUs || (!awake && late_us < -kFarUs);
-    if (far && joined_ticks_ == kJoinEvery) {
-      joined_ticks_ = 0;
+    if (far && ticks_since_join_ == kJoinEvery) {
+      ticks_since_join_ = 0;
       step_us = late_us;
       max_step_us = kMaxJoinUs;
     }
@@ -53,7 +54,7 @@ class Tick {
   static constexpr uint32_t kWaitUs = 250;
   static constexpr int32_t kShare = 8;
   static constexpr int32_t kMaxStepUs = 5;
-  /// More than a host is late or early by from one set-point to the next.
+  /// A host is late or early by less, relative to the mean phase that the tick follows.
   static constexpr int32_t kFarUs = 250;
   /// Work that takes longer than the shortened millisecond delays the next one, which makes up.
   static constexpr int32_t kMaxJoinUs = 500;
@@ -67,7 +68,7 @@ class Tick {
 
   uint32_t began_us_ = 0;
   uint32_t next_us_ = 0;
-  uint32_t joined_ticks_ = kJoinEvery;
+  uint32_t ticks_since_join_ = kJoinEvery;
 };
 
 }  // namespace hedgehog::firmware

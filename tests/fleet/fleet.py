@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """fleet.py BUILD DAEMONS SECONDS: simulated daemons of BUILD, each with hedgehog-mqtt, at one mosquitto and one Prometheus.
 
-Prints processor time and memory of each kind of program, and what was lost: telemetry by the device times of consecutive
-messages of a ball, scrapes by Prometheus' `up`. Exit: 143 terminated; 1 a daemon or a bridge ended early, or a ball sent no telemetry.
+Prints processor time and memory of each kind of program, and what is missing: telemetry by the device times of consecutive
+messages of a ball and by the broker's count of dropped messages (up to 10 s old), scrapes by Prometheus' `up`. Exit: 143 terminated; 1 a daemon or a bridge ended early, or a ball sent no telemetry.
 """
 import json
 import os
@@ -129,8 +129,8 @@ def main(folder):
         after, took = fleet.usage(), time.monotonic() - begun
         span = f"{int(SECONDS)}s"
         scrapes = query(prometheus, f"sum(count_over_time(up[{span}]))")
-        lost = dropped(folder / "broker.sock")
         good = query(prometheus, f"sum(sum_over_time(up[{span}]))")
+        lost = dropped(folder / "broker.sock")
     finally:
         fleet.end()
     print(f"{DAEMONS} daemons, {took:.0f} s, {os.cpu_count()} processors")
@@ -139,7 +139,7 @@ def main(folder):
         print(f"| {kind} | {count} | {100 * (cpu - before[kind][0]) / took:.1f} | {memory / 1e6:.0f} |")
     messages, missing, balls = missing_telemetry((folder / "telemetry").read_text().splitlines())
     print(f"telemetry: {messages} messages of {balls} balls, {missing} not sent in time, {lost} dropped by the broker")
-    print(f"scrapes: {DAEMONS * SECONDS // SCRAPE_S} due, {scrapes} made, {scrapes - good} of them failed")
+    print(f"scrapes: {DAEMONS * SECONDS / SCRAPE_S:.0f} due, {scrapes} made, {scrapes - good} of them failed")
     if balls != DAEMONS or not scrapes:
         sys.exit("tests/fleet: not every ball was heard of")
 

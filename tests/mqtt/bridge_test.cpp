@@ -33,6 +33,14 @@ class MqttBridge : public ::testing::Test {
   Json call(const std::string& method, const Json& params = Json::object()) {
     return RawClient(daemon->socket()).call(method, params);
   }
+  /// The response is on the topic replies/1.
+  Ended request_pulse() {
+    Program request(
+        home, "/usr/bin/mosquitto_rr",
+        {"--unix", broker.socket(), "-V", "5", "-W", "60", "-t", "hedgehog/HH-0042/effect/pulse",
+         "-e", "replies/1", "-m", R"({"direction": "left", "level": 0.5, "duration_ms": 200})"});
+    return request.wait();
+  }
 
   Home home;
   Mosquitto broker{home};
@@ -55,11 +63,7 @@ TEST_F(MqttBridge, RetainsMessagesForLateSubscribers) {
 TEST_F(MqttBridge, NamesTheBallOfEachMessage) {
   const Subscriber properties(home, broker.socket(), {"hedgehog/#", "replies/#"}, "%t %P");
   start();
-  Program request(
-      home, "/usr/bin/mosquitto_rr",
-      {"--unix", broker.socket(), "-V", "5", "-W", "60", "-t", "hedgehog/HH-0042/effect/pulse",
-       "-e", "replies/1", "-m", R"({"direction": "left", "level": 0.5, "duration_ms": 200})"});
-  EXPECT_EQ(request.wait().exit_code, 0);
+  EXPECT_EQ(request_pulse().exit_code, 0);
   for (const char* topic :
        {"hedgehog/HH-0042/availability", "hedgehog/HH-0042/status", "hedgehog/HH-0042/description",
         "hedgehog/HH-0042/telemetry", "hedgehog/HH-0042/event/effect_started", "replies/1"})
@@ -68,11 +72,7 @@ TEST_F(MqttBridge, NamesTheBallOfEachMessage) {
 
 TEST_F(MqttBridge, PlaysRequestsAndRespondsOnTheResponseTopic) {
   start();
-  Program request(
-      home, "/usr/bin/mosquitto_rr",
-      {"--unix", broker.socket(), "-V", "5", "-W", "60", "-t", "hedgehog/HH-0042/effect/pulse",
-       "-e", "replies/1", "-m", R"({"direction": "left", "level": 0.5, "duration_ms": 200})"});
-  const Ended ended = request.wait();
+  const Ended ended = request_pulse();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr(R"({"result":{"effect":1,"accepted":true)"));
   EXPECT_TRUE(

@@ -43,7 +43,8 @@ LINES
 }
 
 step "one version"
-has_version "$(sed -nE 's/^project\(hedgehog VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)"
+before=$(sed -nE 's/^project\(hedgehog VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
+has_version "$before"
 
 step "refused"
 code=0
@@ -52,10 +53,8 @@ cmake/release.sh 1.2 2>"$work/refusal" || code=$?
 touch unknown
 refused "not committed" cmake/release.sh 98.0.0
 rm unknown
-before=$(sed -nE 's/^project\(hedgehog VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
 refused "not above $before" cmake/release.sh 0.0.1
 refused "not above $before" cmake/release.sh "$before"
-dpkg --compare-versions "$before+git1.abcdef0" lt 98.0.0 || fail "a release is not above the packages of its commits"
 git tag v98.0.0
 refused "there already" cmake/release.sh 98.0.0
 refused "not above v98.0.0" cmake/release.sh 97.0.0

@@ -26,8 +26,8 @@ def line_of(message):
 def is_same(name, value, expected):
     if isinstance(expected, float):
         return abs(value - expected) < 1e-9
-    # "1" and "1.0" are the same major version.
-    return str(value).split(".")[0] == expected if name == "protocol" else value == expected
+    # "1" and "1.0" are the same version.
+    return value in (expected, expected + ".0") if name == "protocol" else value == expected
 
 
 def check(expected, message):

@@ -13,7 +13,6 @@ CLIENTS = pathlib.Path(__file__).resolve().parent.parent.parent / "clients"
 # Files that are not copied into a game.
 APART = ("README.md", "source.md", "generate.py", "generate_messages.py", "__pycache__", "Samples~", "Example")
 
-
 # Where the size of each folder of pages is documented.
 COMPRESSED = r"([0-9.]+) kB, compressed"
 PAGES = {"www": ("dashboard/README.md", COMPRESSED), "racer": ("racer/page.md", COMPRESSED),

@@ -50,7 +50,7 @@ export class DaemonOnBoard {
     const all = { http: { listen: null }, ...others, simulator: { ...simulator, process: true } };
     writeFileSync(path('hedgehog', 'hedgehogd.json'), JSON.stringify(all));
     daemon.environment = {
-      ...process.env, HOME: daemon.folder, XDG_CONFIG_HOME: daemon.folder, XDG_STATE_HOME: path('state'),
+      ...process.env, HEDGEHOG_PATIENCE_MS: '60000', HOME: daemon.folder, XDG_CONFIG_HOME: daemon.folder, XDG_STATE_HOME: path('state'),
       XDG_RUNTIME_DIR: daemon.folder, HEDGEHOG_SIMBOARD_TRACE: daemon.traceFile, HEDGEHOG_BOARD_CONTROL: daemon.controlFile,
     };
     daemon.child = spawn(place(join(programs, 'daemon', 'hedgehogd'), daemon.folder),

@@ -33,9 +33,12 @@ function noise(state) {
 
 /** One longer frame: the phase of the host's frames moves by `share` of a millisecond. */
 function shiftPhase(board, share) {
-  board.host.frameNanos = 1_000_000 + 1_000_000 * share;
-  board.run(1.5);
-  board.host.frameNanos = 1_000_000;
+  const { host } = board;
+  const frames = host.counts.sof;
+  host.frameNanos = 1_000_000 * (1 + share);
+  board.run(3, () => host.counts.sof > frames);
+  host.frameNanos = 1_000_000;
+  board.run(2, () => host.counts.sof > frames + 1);
 }
 
 /** Sends set-points with different duties, each delayed in its frame by `lateUs()`. Returns the latencies, us: to the end of the PWM period
@@ -76,6 +79,8 @@ function measureLatency(board, driver, ms, lateUs) {
 
 const kSettlingMs = 250;
 const kPhases = 16;
+/** Of a set-point, once the board has the host's phase. */
+const kMaxJoinedUs = 800;
 const kHosts = [
   ['whose clock is slow by 0.3 %', 1_003_000, () => 0],
   ['whose clock is fast by 0.3 %', 997_000, () => 0],
@@ -108,7 +113,9 @@ test('the millisecond of the board follows the set-points from any phase, in one
     shiftPhase(board, (phase + 1) / kPhases);
     // The first set-point of the new phase.
     board.run(2);
-    worst.push(percentile(measureLatency(board, driver, kSettlingMs, () => 0).pwm, 1));
+    const { all, pwm } = measureLatency(board, driver, kSettlingMs, () => 0);
+    assert.ok(pwm.length >= all - 2, `phase ${phase}: ${pwm.length} of ${all}`);
+    worst.push(percentile(pwm, 1));
     const periods = board.ticks.slice(1).map((us, i) => us - board.ticks[i]);
     // The loop takes a few microseconds after it wakes.
     const joined = periods.filter((us) => us < 985);
@@ -117,7 +124,7 @@ test('the millisecond of the board follows the set-points from any phase, in one
     assert.ok(mean > 984.9 && mean < 1005.1, `${mean}`);
   }
   console.log(`set-point to PWM, worst after each of ${kPhases} shifts: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
-  assert.ok(Math.max(...worst) <= 1000);
+  assert.ok(Math.max(...worst) < kMaxJoinedUs);
 }));
 
 test('bad packets do not move the millisecond of the board', withBoard((board, driver) => {
@@ -131,11 +138,13 @@ test('bad packets do not move the millisecond of the board', withBoard((board, d
   assert.ok(Math.abs(mean - 1000) < 0.2, `${mean} us`);
 }));
 
-test('a host that sends at any time moves the millisecond of a sleeping board by half a per cent, at most once in 100 ticks by half a millisecond', withBoard((board, driver) => {
+const kAnyTime = 'a host that sends at any time moves the tick by half a per cent, and by half a millisecond at most once in 100 ticks';
+test(kAnyTime, withBoard((board, driver) => {
   driver.enumerate();
   const random = noise(0x51a3c07);
   const all = 1000;
-  board.host.onFrame = () => board.after(random(900), () => board.host.outQueue.push(setPoint(++driver.sequence, { enable: false })));
+  const send = () => board.host.outQueue.push(setPoint(++driver.sequence, { enable: false }));
+  board.host.onFrame = () => board.after(random(900), send);
   board.ticks.length = 0;
   board.run(all);
   const periods = board.ticks.slice(1).map((us, i) => us - board.ticks[i]);
@@ -209,14 +218,14 @@ for (const [which, prepare] of kFirstHosts) {
         armAtOnce(board, driver);
         const { all, pwm } = measureLatency(board, driver, 100, () => 0);
         assert.equal(driver.last.mode, kMode.driving, `phase ${phase}, faults ${driver.last.faults}`);
-        // The last one is still under way; the first may have come in the millisecond of the arm request, which is before those that apply.
+        // The last one is still under way; the first does not apply if it came in the millisecond of the arm request.
         assert.ok(pwm.length >= all - 2, `phase ${phase}: ${pwm.length} of ${all}`);
         worst.push(percentile(pwm, 1));
       })();
     }
     console.log(`set-point to PWM, worst of a host's first 100 ms: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
     // Without the join they wait up to 1.15 ms.
-    assert.ok(Math.max(...worst) <= 1000, `${worst}`);
+    assert.ok(Math.max(...worst) < kMaxJoinedUs, `${worst}`);
   });
 }
 
