@@ -24,6 +24,12 @@ export async function eventually(what, condition) {
   throw new Error(`never: ${what}`);
 }
 
+/** Waits for a time of the device, which on a busy machine passes more slowly than that of the host. */
+export async function passed(ball, ms) {
+  const { time_ns } = await ball.call('ping');
+  await eventually(`${ms} ms have passed`, async () => (await ball.call('ping')).time_ns > time_ns + ms * 1e6);
+}
+
 function place(program, folder) {
   const to = join(folder, 'hedgehogd');
   try {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Gains of the board's readings, as bench instruments measure them: against the true current and voltage of the simulated ball.
-import { eventually } from './daemon.mjs';
+import { eventually, passed } from './daemon.mjs';
 
 const kReadings = 40;
+/** Before the readings, and again after them: at one moment the supply's ripple is up to 2 % of it. */
+const kTruths = 12;
 /** Not a divisor of the supply's ripple (100 Hz). */
 const kRateHz = 30;
 const kCurrentA = 3;
+const kSettlingMs = 500;
 const kLeaseMs = 10_000;
 /** Directions of positive and negative current in each winding, for a ball with the identity as its coil matrix. */
 const kSides = [['front', 'back'], ['left', 'right'], ['up', 'down']];
@@ -27,13 +30,20 @@ async function meanReading(ball, fields, read) {
 async function currents(ball, side, k, sign) {
   await ball.hold(side, { slot: 'gauges', current_a: kCurrentA, lease_ms: kLeaseMs });
   const truth = async () => (await ball.call('sim.truth')).current_a[k];
-  const before = await eventually(`${kCurrentA} A flow ${side}`, async () => {
+  const truths = async () => {
+    const values = [];
+    while (values.length < kTruths) values.push(await truth());
+    return values;
+  };
+  await eventually(`${kCurrentA} A flow ${side}`, async () => {
     const now = await truth();
     // That of the other side may still flow.
-    return sign * now > 0.9 * kCurrentA && Math.abs(now - await truth()) < 0.05 && now;
+    return sign * now > 0.9 * kCurrentA && Math.abs(now - await truth()) < 0.05;
   });
+  await passed(ball, kSettlingMs);
+  const before = await truths();
   const read = await meanReading(ball, ['current_a'], ({ current_a }) => current_a[k]);
-  const trueA = (before + await truth()) / 2;
+  const trueA = mean([...before, ...await truths()]);
   await ball.call('effect.stop_all');
   return { read, trueA };
 }
