@@ -84,7 +84,8 @@ test("a rumble continues in its slot", async () => {
   await ball.ping();
   assert.ok(ball.rumble("engine", 0.3, "back", { lease_ms: 10_000 }));
   assert.equal((await first).value.slot, "engine");
-  assert.deepEqual((await ball.status()).effects.map((one) => one.slot), ["engine"]);
+  // The README's circle may still be playing, without a slot.
+  assert.deepEqual((await ball.status()).effects.map((one) => one.slot).filter((slot) => slot), ["engine"]);
   assert.ok(ball.rumble("engine", 0));
   assert.equal((await ball.stopAll()).stopped, 0);
   ball.close();
