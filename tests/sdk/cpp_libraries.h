@@ -50,7 +50,7 @@ class Waiting {
   bool rumble(const std::string& slot, double strength,
               std::optional<protocol::Direction> direction, protocol::EffectParams others) {
     ball_.update();
-    return ball_.rumble(slot, strength, std::move(direction), std::move(others));
+    return ball_.rumble(slot, strength, direction, std::move(others));
   }
   client::Notification next() { return ball_.next(kTimeout).value().value(); }
   std::optional<ClientError> refused_renewal() { return ball_.refused_renewal(); }
@@ -125,7 +125,7 @@ class Threaded {
   }
   bool rumble(const std::string& slot, double strength,
               std::optional<protocol::Direction> direction, protocol::EffectParams others) {
-    return ball_.rumble(slot, strength, std::move(direction), std::move(others));
+    return ball_.rumble(slot, strength, direction, std::move(others));
   }
   client::Notification next() {
     for (;; std::this_thread::yield())
