@@ -56,11 +56,9 @@ extern "C" [[noreturn]] void board_main() {
   for (;;) {
     wait_for(tick);
     port.convert();
-    // One that comes from here on is taken in the next millisecond.
-    const uint32_t arrived_us = port.arrived_us();
     board::board_millisecond(core, kWiring, port);
     if (core.boot_loader_due()) enter_boot_loader();
-    if (core.set_point_age_ms() == 0) tick.follow(arrived_us, core.outputs().awake);
+    if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us(), core.outputs().awake);
     feed_watchdog();
   }
 }

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "daemon/device/board_core/frame.h"
 #include "firmware/converter.h"
 #include "firmware/pins.h"
 #include "firmware/tach.h"
@@ -37,10 +38,14 @@ class PicoPort {
   }
 
   size_t receive(uint8_t* packet, size_t capacity) noexcept {
-    return usb_.receive(packet, capacity);
+    const size_t length = usb_.receive(packet, capacity);
+    if (length == board::kFrameSize &&
+        packet[kTypeAt] == static_cast<uint8_t>(board::FrameType::kSetPoint))
+      arrived_us_ = usb_.arrived_us();
+    return length;
   }
-  /// When the host's last packet came.
-  uint32_t arrived_us() const noexcept { return usb_.arrived_us(); }
+  /// When the last set-point that was received had come.
+  uint32_t arrived_us() const noexcept { return arrived_us_; }
   void measure(board::RawInputs& raw) noexcept { raw = raw_; }
   void apply(const board::PinOutputs& pins) noexcept { set_pins(pins); }
   void send(const uint8_t* frame) noexcept {
@@ -50,7 +55,10 @@ class PicoPort {
   }
 
  private:
+  static constexpr size_t kTypeAt = 2;
+
   UsbDevice usb_;
+  uint32_t arrived_us_ = 0;
   Converter converter_;
   Tach tach_;
   board::RawInputs raw_;

@@ -27,7 +27,7 @@ class Tick {
     return true;
   }
 
-  /// A set-point was taken in this millisecond; the host's last packet arrived at `arrived_us`.
+  /// A set-point that had arrived at `arrived_us` was taken in this millisecond.
   /// Moves the start of the next millisecond towards `kWaitUs` after that arrival: by at most 5 us,
   /// or, when it is more than `kFarUs` away, by at most 500 us, once in `kJoinEvery` ticks. Call at
   /// most once a millisecond. While the bridges are awake no millisecond becomes longer by more

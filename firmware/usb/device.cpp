@@ -212,8 +212,7 @@ void UsbDevice::handle_packet() noexcept {
   if (!out_armed_) return;
   out_armed_ = false;
   const size_t length = reg(kOut1) & kLength;
-  arrived_us_ = now_us();
-  if (length != 0) received_.put(memory(kOutBuffer), length);
+  if (length != 0) received_.put(memory(kOutBuffer), length, now_us());
   arm_out();
 }
 

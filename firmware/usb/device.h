@@ -24,8 +24,8 @@ class UsbDevice {
   /// The next packet, of which as much as fits is copied; 65 for one of more than 64 bytes; 0:
   /// none.
   size_t receive(uint8_t* packet, size_t capacity) noexcept;
-  /// When the last packet was noticed.
-  uint32_t arrived_us() const noexcept { return arrived_us_; }
+  /// When the packet of the last `receive` was noticed.
+  uint32_t arrived_us() const noexcept { return received_.taken_arrived_us(); }
   /// 64 bytes; dropped while the last are still waiting, and while the bus is suspended.
   void send(const uint8_t* frame) noexcept;
 
@@ -73,7 +73,6 @@ class UsbDevice {
   bool in_waiting_ = false;
   uint8_t in_frame_[PacketQueue::kPacketBytes] = {};
 
-  uint32_t arrived_us_ = 0;
   /// The earliest that the last frame can have begun.
   uint32_t frame_start_us_ = 0;
   uint32_t polled_us_ = 0;

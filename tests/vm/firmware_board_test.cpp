@@ -180,7 +180,7 @@ TEST_F(FirmwareBoard, IsEnumeratedByTheKernelAndListedByItsSerialNumber) {
   const std::string devices = shell(command + " " + e2e::hedgehogctl() + " devices");
   EXPECT_THAT(devices, HasSubstr(kSerial));
   EXPECT_THAT(devices, HasSubstr("1209:0001"));
-  EXPECT_THAT(devices, ContainsRegex("firmware[ \n]+1\\.02,[ \n]+protocol[ \n]+1"));
+  EXPECT_THAT(devices, ContainsRegex("firmware[ \n]+1\\.02,[ \n]+protocol[ \n]+1\\.2"));
   std::printf("  hedgehogctl devices:\n%s", devices.c_str());
   expect_no_current();
   expect_no_bus_errors();
