@@ -16,6 +16,10 @@ namespace hedgehog::control {
 /// longer.
 inline constexpr model::Tick kLongestGap = 20;
 
+/// Least voltage that opposes the current of a winding whose bridge sleeps: that of a diode. The
+/// supply adds to it in most bridges, which ends the current sooner.
+inline constexpr double kFreewheelV = 0.8;
+
 /// Electrical model of the windings: each a resistance and an inductance on one supply.
 struct WindingCircuit {
   /// Estimated, ohm.
@@ -41,8 +45,8 @@ class CurrentPrediction {
   const model::Vec3& a() const noexcept { return a_; }
 
  private:
-  void advance(const model::Vec3& voltage, model::Tick ticks,
-               const WindingCircuit& circuit) noexcept;
+  void drive(const model::Vec3& voltage, model::Tick ticks, const WindingCircuit& circuit) noexcept;
+  void sleep(model::Tick ticks, const WindingCircuit& circuit) noexcept;
 
   model::Vec3 a_;
 };
