@@ -24,6 +24,7 @@
 #include "daemon/server/disk/load_saved_state.h"
 #include "daemon/server/effects/preview.h"
 #include "daemon/server/history/history_files.h"
+#include "daemon/server/net/wait.h"
 #include "daemon/startup_grace.h"
 #include "protocol/methods/hello.h"
 
@@ -129,6 +130,7 @@ asio::awaitable<void> Daemon::pump() {
     for (const std::string& line : threads_.sensors().messages()) spdlog::info("{}", line);
     for (const std::string& line : warnings_.step(device_view_)) spdlog::warn("{}", line);
     manager_.alive(threads_.loop().heartbeat());
+    cpu_latency_.request(!options_.speed && device_view_.now().state == control::State::kArmed);
     if (auto loaded = reload_.step(config_)) apply(*std::move(loaded));
     if (ready_)
       manager_.status(status_line());
@@ -141,8 +143,7 @@ asio::awaitable<void> Daemon::pump() {
       continue;
     }
     timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
-    error_code ignored;
-    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    co_await server::wait(timer);
   }
 }
 
@@ -178,13 +179,12 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
   state_store_.stopped_cleanly();
   telemetry_file_.write(server_.telemetry(), device_view_.now().tick, base::unix_ms_now());
   asio::steady_timer timer(io_);
-  error_code ignored;
   const auto last_response = Clock::now() + kLastResponses;
   model::Tick pumps = 0;
   while (server_.has_pending() &&
          (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_response)) {
     timer.expires_after(kBusyPause);
-    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    co_await server::wait(timer);
     server_.pump();
   }
   listener_.close();
@@ -192,7 +192,7 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
   const auto until = Clock::now() + kShutdownTimeout;
   while ((!history_.flush() || !listener_.empty()) && Clock::now() < until) {
     timer.expires_after(kIdlePause);
-    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    co_await server::wait(timer);
   }
   if (!history_.flush()) spdlog::warn("the disk is slow; the history may lack the newest events");
   io_.stop();

@@ -11,6 +11,7 @@
 #include "daemon/announcement.h"
 #include "daemon/config/load_config.h"
 #include "daemon/config_reload.h"
+#include "daemon/device/cpu_latency.h"
 #include "daemon/device_list.h"
 #include "daemon/device_threads.h"
 #include "daemon/options.h"
@@ -57,6 +58,7 @@ class Daemon {
   boost::asio::io_context io_{1};
   boost::asio::signal_set signals_;
   ServiceManager manager_;
+  device::CpuLatency cpu_latency_;
   server::Listener listener_;
   std::optional<server::SavedState> saved_;
   DeviceThreads threads_;

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <time.h>
 
 #include <cstring>
@@ -49,6 +50,7 @@ std::uint64_t TickClock::wait(int ticks) noexcept {
 }
 
 bool use_fifo(int priority) noexcept {
+  prctl(PR_SET_TIMERSLACK, 1, 0, 0, 0);
   sched_param parameters{};
   parameters.sched_priority = priority;
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;

@@ -47,7 +47,8 @@ inline constexpr int kControlPriority = 50;
 inline constexpr int kLinkPriority = 49;
 inline constexpr int kSimulatedBoardPriority = 48;
 
-/// Sets SCHED_FIFO for the calling thread; false (and unchanged) if the system does not allow it.
+/// Sets SCHED_FIFO for the calling thread; false if the system does not allow it. Then its sleeps
+/// end without the 50 us by which the kernel delays those of normal threads (timer slack).
 bool use_fifo(int priority) noexcept;
 
 /// Signals are handled by the io thread: blocks all of them in the calling thread, so that threads

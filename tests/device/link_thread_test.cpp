@@ -4,6 +4,7 @@
 #include "daemon/device/link_thread.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 
 #include <atomic>
 #include <chrono>
@@ -220,6 +221,18 @@ TEST(TickClock, APhaseIsThatOfWholeMilliseconds) {
   constexpr std::int64_t kPhaseNs = 250'000;
   EXPECT_EQ(at_phase_before(7'250'000, kPhaseNs), 7'250'000);
   EXPECT_EQ(at_phase_before(8'249'999, kPhaseNs), 7'250'000);
+}
+
+TEST(TickClock, SleepsAreNotDelayedWhereTheSystemAllowsNoRealTimeScheduling) {
+  constexpr int kInvalidPriority = 0;
+  bool allowed = true;
+  int slack_ns = 0;
+  std::thread([&] {
+    allowed = use_fifo(kInvalidPriority);
+    slack_ns = prctl(PR_GET_TIMERSLACK);
+  }).join();
+  EXPECT_FALSE(allowed);
+  EXPECT_EQ(slack_ns, 1);
 }
 
 TEST(TickClock, SkipsMissedTicksInsteadOfCatchingUp) {

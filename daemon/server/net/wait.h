@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Waits for an event that is signalled by cancelling a timer.
+// Waits for a time, or for an event that is signalled by cancelling a timer.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -10,10 +10,10 @@
 
 namespace hedgehog::server {
 
-/// Returns when `timer` is cancelled. io thread.
+/// Returns when `timer` expires or is cancelled. io thread.
 inline boost::asio::awaitable<void> wait(boost::asio::steady_timer& timer) {
-  boost::system::error_code cancelled;
-  co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, cancelled));
+  boost::system::error_code ignored;
+  co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
 }
 
 }  // namespace hedgehog::server
