@@ -16,7 +16,7 @@ namespace hedgehog::control {
 /// longer.
 inline constexpr model::Tick kLongestGap = 20;
 
-/// Least voltage that opposes the current of a winding whose bridge sleeps: that of a diode. The
+/// Minimum voltage that opposes the current of a winding whose bridge sleeps: that of a diode. The
 /// supply adds to it in most bridges, which ends the current sooner.
 inline constexpr double kFreewheelV = 0.8;
 

@@ -16,11 +16,11 @@ namespace {
 const model::Vec3 kX{1, 0, 0};
 const model::Vec3 kY{0, 1, 0};
 
-/// Least and largest current of winding 0 while a second pulse plays that begins `gap` ticks after
-/// the end of one along that winding.
+/// Minimum and maximum current of winding 0 while a second pulse plays that begins `gap` ticks
+/// after the end of one along that winding.
 struct Extremes {
-  double least_a = 0.0;
-  double most_a = 0.0;
+  double min_a = 0.0;
+  double max_a = 0.0;
 };
 Extremes of_second_pulse(const model::Vec3& second, double current_a, model::Tick gap,
                          double freewheel_v) {
@@ -37,21 +37,21 @@ Extremes of_second_pulse(const model::Vec3& second, double current_a, model::Tic
   Extremes found;
   for (int tick = 0; tick < 40; ++tick) {
     rig.tick();
-    found.least_a = std::min(found.least_a, rig.plant().current_a().x);
-    if (tick > 2) found.most_a = std::max(found.most_a, rig.plant().current_a().x);
+    found.min_a = std::min(found.min_a, rig.plant().current_a().x);
+    if (tick > 2) found.max_a = std::max(found.max_a, rig.plant().current_a().x);
   }
   return found;
 }
 
-// Least and largest voltage that opposes a current while the bridges sleep: of a diode, and of the
-// supply behind two.
+// Minimum and maximum voltage that opposes a current while the bridges sleep: of a diode, and of
+// the supply behind two.
 constexpr double kDiodeV = 0.8;
 constexpr double kSupplyV = 13.6;
 
 TEST(CurrentPrediction, ACurrentThatHasEndedIsNotCounteracted) {
   for (const double current_a : {5.0, 12.0})
     for (model::Tick gap = 0; gap <= 25; ++gap)
-      EXPECT_GT(of_second_pulse(kY, current_a, gap, kDiodeV).least_a, -0.1)
+      EXPECT_GT(of_second_pulse(kY, current_a, gap, kDiodeV).min_a, -0.1)
           << current_a << " A, " << gap << " ms after the pulse before";
 }
 
@@ -59,7 +59,7 @@ TEST(CurrentPrediction, APulseAfterAnotherDoesNotOvershoot) {
   for (const double freewheel_v : {kDiodeV, kSupplyV})
     for (const double current_a : {5.0, 12.0})
       for (model::Tick gap = 0; gap <= 25; ++gap)
-        EXPECT_LT(of_second_pulse(kX, current_a, gap, freewheel_v).most_a, 1.02 * current_a)
+        EXPECT_LT(of_second_pulse(kX, current_a, gap, freewheel_v).max_a, 1.02 * current_a)
             << current_a << " A, " << gap << " ms after the pulse before, " << freewheel_v << " V";
 }
 
