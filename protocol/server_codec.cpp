@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <type_traits>
 
 #include "protocol/methods.h"
 #include "protocol/wire/json.h"
+#include "protocol/wire/plain_json.h"
 #include "protocol/wire/reader.h"
 #include "protocol/wire/writer.h"
 
@@ -32,7 +33,7 @@ std::optional<Id> read_id(const Json& json) {
   return good ? std::optional(Id{to_text(json)}) : std::nullopt;
 }
 
-RpcError no_such_method(const std::string& method) {
+RpcError no_such_method(std::string_view method) {
   std::vector<std::string_view> names;
   names.reserve(kMethods.size());
   for (const MethodInfo& row : kMethods) names.push_back(row.name);
@@ -51,6 +52,8 @@ Result<Request> read_params(Method method, const Json* params) {
         "params", "must be an object with parameters by name, not " + std::string(params->kind()));
   }
   Request request = empty_request(method);
+  const bool has_none = std::visit([]<class R>(const R&) { return std::is_empty_v<R>; }, request);
+  if (params == nullptr && has_none) return request;
   Reader reader(params == nullptr ? kNone : *params, Reader::Strictness::kStrict, name(method));
   std::visit([&](auto& one) { reader.value(one); }, request);
   if (reader.error()) return *reader.error();
@@ -61,31 +64,48 @@ Item refused(std::optional<Id> id, RpcError error) {
   return {std::move(id), std::nullopt, std::move(error)};
 }
 
-Item read_item(const Json& json) {
-  if (json.as<Json::Object>() == nullptr) {
-    return refused(Id{},
-                   invalid_request("a request is an object, not " + std::string(json.kind())));
-  }
+/// The members of a request, before they are checked. nullopt, nullptr: missing, or not a string.
+struct Envelope {
+  std::optional<std::string_view> version;
+  std::optional<std::string_view> method;
+  const Json* id = nullptr;
+  const Json* params = nullptr;
+};
+
+Item read_item(const Envelope& envelope) {
   std::optional<Id> id;
-  if (const Json* given = json.find("id")) {
-    id = read_id(*given);
+  if (envelope.id != nullptr) {
+    id = read_id(*envelope.id);
     if (!id)
       return refused(Id{},
                      invalid_request("id must be a string, a number of at most 2^53, or null"));
   }
   // An item not recognised as a notification gets a response (JSON-RPC 2.0, section 5).
-  const Id answer_to = id.value_or(Id{});
-  const Json* version = json.find("jsonrpc");
-  const auto* version_text = version == nullptr ? nullptr : version->as<std::string>();
-  if (version_text == nullptr || *version_text != "2.0")
-    return refused(answer_to, invalid_request("\"jsonrpc\":\"2.0\" is missing"));
-  const Json* called = json.find("method");
-  const auto* method_text = called == nullptr ? nullptr : called->as<std::string>();
-  if (method_text == nullptr)
-    return refused(answer_to, invalid_request("method is missing or not a string"));
-  const std::optional<Method> method = method_named(*method_text);
-  if (!method) return refused(std::move(id), no_such_method(*method_text));
-  return {std::move(id), method, read_params(*method, json.find("params"))};
+  const auto refuse = [&](RpcError error) { return refused(id.value_or(Id{}), std::move(error)); };
+  if (envelope.version != "2.0") return refuse(invalid_request("\"jsonrpc\":\"2.0\" is missing"));
+  if (!envelope.method) return refuse(invalid_request("method is missing or not a string"));
+  const std::optional<Method> method = method_named(*envelope.method);
+  if (!method) return refused(std::move(id), no_such_method(*envelope.method));
+  return {std::move(id), method, read_params(*method, envelope.params)};
+}
+
+std::optional<std::string_view> text_of(const Json* json) noexcept {
+  const auto* text = json == nullptr ? nullptr : json->as<std::string>();
+  return text == nullptr ? std::nullopt : std::optional<std::string_view>(*text);
+}
+
+Item read_item(const Json& json) {
+  if (json.as<Json::Object>() == nullptr) {
+    return refused(Id{},
+                   invalid_request("a request is an object, not " + std::string(json.kind())));
+  }
+  return read_item(Envelope{text_of(json.find("jsonrpc")), text_of(json.find("method")),
+                            json.find("id"), json.find("params")});
+}
+
+Item read_item(const PlainRequest& request) {
+  return read_item(Envelope{request.version, request.method, request.id ? &*request.id : nullptr,
+                            request.params ? &*request.params : nullptr});
 }
 
 void append_value(std::string& out, const ErrorValue& value) {
@@ -174,7 +194,11 @@ RpcError line_too_long() {
 
 Incoming decode_line(std::string_view line) {
   Incoming incoming;
-  Result<Json> parsed = parse_json(line, kMaxNesting);
+  if (const auto request = parse_plain_request(line, kMaxNesting)) {
+    incoming.items.push_back(read_item(*request));
+    return incoming;
+  }
+  const Result<Json> parsed = parse_json(line, kMaxNesting);
   if (!parsed) {
     incoming.items.push_back(refused(Id{}, parsed.error()));
     return incoming;
@@ -193,7 +217,7 @@ Incoming decode_line(std::string_view line) {
   } else {
     incoming.batch = true;
     incoming.items.reserve(batch->size());
-    std::transform(batch->begin(), batch->end(), std::back_inserter(incoming.items), read_item);
+    for (const Json& item : *batch) incoming.items.push_back(read_item(item));
   }
   return incoming;
 }

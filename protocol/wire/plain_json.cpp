@@ -2,9 +2,12 @@
 #include "protocol/wire/plain_json.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <span>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace hedgehog::protocol {
@@ -27,7 +30,35 @@ class PlainParser {
     return at_ == end_;
   }
 
+  bool request(PlainRequest& out, std::size_t levels) {
+    if (levels == 0 || !next_is('{')) return false;
+    std::array<std::string_view, kMaxMembers> names;
+    std::size_t count = 0;
+    do {
+      if (count == kMaxMembers) return false;
+      std::string_view& name = names[count];
+      skip_space();
+      if (!text_of(name) || !next_is(':')) return false;
+      const std::span<const std::string_view> before(names.data(), count++);
+      if (std::find(before.begin(), before.end(), name) != before.end()) return false;
+      if (!member_of_request(out, name, levels - 1)) return false;
+    } while (next_is(','));
+    if (!next_is('}')) return false;
+    skip_space();
+    return at_ == end_;
+  }
+
  private:
+  bool member_of_request(PlainRequest& out, std::string_view name, std::size_t levels) {
+    skip_space();
+    if (name == "jsonrpc") return text_of(out.version);
+    if (name == "method") return text_of(out.method);
+    if (name == "id") return value(out.id.emplace(Json{}), levels);
+    if (name == "params") return value(out.params.emplace(Json{}), levels);
+    Json ignored;
+    return value(ignored, levels);
+  }
+
   bool value(Json& out, std::size_t levels) {
     skip_space();
     if (at_ == end_) return false;
@@ -57,11 +88,13 @@ class PlainParser {
     constexpr std::size_t kOfARequest = 4;
     out.reserve(kOfARequest);
     do {
+      if (out.size() == kMaxMembers) return false;
+      // In place: a pair with a Json is not default-constructible inside Json.
+      auto& [name, member] =
+          out.emplace_back(std::piecewise_construct, std::tuple<>(), std::tuple<>());
       skip_space();
-      std::string name;
-      if (out.size() == kMaxMembers || !string(name) || has(out, name) || !next_is(':'))
+      if (!string(name) || last_is_repeated(out) || !next_is(':') || !value(member, levels))
         return false;
-      if (!value(out.emplace_back(std::move(name), Json{}).second, levels)) return false;
     } while (next_is(','));
     return next_is('}');
   }
@@ -76,6 +109,13 @@ class PlainParser {
   }
 
   bool string(std::string& out) {
+    std::string_view text;
+    if (!text_of(text)) return false;
+    out = text;
+    return true;
+  }
+
+  bool text_of(std::string_view& out) noexcept {
     if (at_ == end_ || *at_ != '"') return false;
     const char* const begin = ++at_;
     while (at_ != end_ && *at_ != '"') {
@@ -83,7 +123,7 @@ class PlainParser {
       if (c < 0x20 || c >= 0x80 || c == '\\') return false;
     }
     if (at_ == end_) return false;
-    out.assign(begin, at_++);
+    out = {begin, static_cast<std::size_t>(at_++ - begin)};
     return true;
   }
 
@@ -138,9 +178,10 @@ class PlainParser {
     while (at_ != end_ && (*at_ == ' ' || *at_ == '\t' || *at_ == '\n' || *at_ == '\r')) ++at_;
   }
 
-  static bool has(const Json::Object& object, std::string_view name) noexcept {
-    return std::any_of(
-        object.begin(), object.end(), [&](const auto& member) { return member.first == name; });
+  static bool last_is_repeated(const Json::Object& object) noexcept {
+    const std::string& name = object.back().first;
+    return std::any_of(object.begin(), object.end() - 1,
+                       [&](const auto& member) { return member.first == name; });
   }
 
   const char* at_;
@@ -153,6 +194,14 @@ std::optional<Json> parse_plain_json(std::string_view text, std::size_t max_nest
   std::optional<Json> json = Json{};
   if (!PlainParser(text).whole(*json, max_nesting)) json.reset();
   return json;
+}
+
+std::optional<PlainRequest> parse_plain_request(std::string_view text, std::size_t max_nesting) {
+  std::optional<PlainRequest> request = PlainRequest{};
+  const bool good = PlainParser(text).request(*request, max_nesting);
+  if (!good || request->version.data() == nullptr || request->method.data() == nullptr)
+    request.reset();
+  return request;
 }
 
 }  // namespace hedgehog::protocol

@@ -16,4 +16,17 @@ namespace hedgehog::protocol {
 /// yields the same tree for a text accepted here.
 std::optional<Json> parse_plain_json(std::string_view text, std::size_t max_nesting);
 
+/// The members of a JSON-RPC request, not checked. The strings are parts of the text.
+struct PlainRequest {
+  std::string_view version;
+  std::string_view method;
+  /// nullopt: missing.
+  std::optional<Json> id{};
+  std::optional<Json> params{};
+};
+
+/// The request of such a text, whose tree `parse_plain_json` would yield: an object that has
+/// `jsonrpc` and `method`, both strings. nullopt: any other text.
+std::optional<PlainRequest> parse_plain_request(std::string_view text, std::size_t max_nesting);
+
 }  // namespace hedgehog::protocol

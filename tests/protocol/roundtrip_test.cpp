@@ -25,6 +25,74 @@ RC_GTEST_PROP(Laws, EveryValidRequestIsDecodedUnchanged, ()) {
   RC_ASSERT(item.method == method_of(request));
 }
 
+/// A request alone takes a shorter way than one in a batch.
+void check_equal_in_a_batch(const std::string& line) {
+  RC_LOG() << line;
+  const Incoming alone = decode_line(line);
+  const Incoming batch = decode_line('[' + line + ']');
+  RC_ASSERT(alone.items.size() == 1u);
+  RC_ASSERT(batch.items.size() == 1u);
+  const Item& one = alone.items.front();
+  const Item& other = batch.items.front();
+  RC_ASSERT(one.id == other.id);
+  RC_ASSERT(one.method == other.method);
+  RC_ASSERT(one.request.has_value() == other.request.has_value());
+  if (one.request) {
+    RC_ASSERT(*one.request == *other.request);
+    return;
+  }
+  RC_ASSERT(one.request.error().code == other.request.error().code);
+  // That of a text that is not JSON has its position.
+  if (one.request.error().code != ErrorCode::kParseError)
+    RC_ASSERT(one.request.error().message == other.request.error().message);
+}
+
+RC_GTEST_PROP(Laws, ARequestAloneIsDecodedAsInABatch, ()) {
+  check_equal_in_a_batch(encode_request(Id::number(*rc::gen::arbitrary<int>()), *random_request()));
+}
+
+const std::vector<std::string> kMembers{R"("jsonrpc":"2.0")",
+                                        R"( "jsonrpc" : "2.0" )",
+                                        R"("jsonrpc":2.0)",
+                                        R"("jsonrpc":"1.0")",
+                                        R"("method":"ping")",
+                                        R"("method":"effect.pulse")",
+                                        R"("method":"pi\u006eg")",
+                                        R"("method":7)",
+                                        R"("method":"nix")",
+                                        R"("id":1)",
+                                        R"("id":-0)",
+                                        R"("id":1.0)",
+                                        R"("id":"a")",
+                                        R"("id":"\u00e4")",
+                                        R"("id":null)",
+                                        R"("id":[1])",
+                                        R"("id":12345678901234567890)",
+                                        R"("params":{})",
+                                        R"("params":{"level":0.5,"direction":"left"})",
+                                        R"("params":{"a":1,"a":2})",
+                                        R"("params":[])",
+                                        R"("params":null)",
+                                        R"("params":{"direction":[1,0,0]})",
+                                        R"("x":{"y":[true,false,null]})",
+                                        R"("x":tru)",
+                                        R"("ä":1)",
+                                        R"("":0)"};
+
+RC_GTEST_PROP(Laws, AnyMembersAloneAreDecodedAsInABatch, ()) {
+  std::vector<std::string> members;
+  if (*rc::gen::arbitrary<bool>())
+    members = {R"("jsonrpc":"2.0")",
+               *rc::gen::element<std::string>(R"("method":"ping")", R"("method":"nix")")};
+  for (int left = *rc::gen::inRange(0, 5); left > 0; --left) {
+    const auto at = *rc::gen::inRange<std::ptrdiff_t>(0, std::ssize(members) + 1);
+    members.insert(members.begin() + at, *rc::gen::elementOf(kMembers));
+  }
+  std::string line = "{";
+  for (const std::string& member : members) line += (line == "{" ? "" : ",") + member;
+  check_equal_in_a_batch(line + *rc::gen::element<std::string>("}", "}", "} ", ",}", "}}"));
+}
+
 RC_GTEST_PROP(Laws, DecodingIsReproducible, ()) {
   const std::string line = encode_request(std::nullopt, *random_request());
   const Incoming first = decode_line(line);

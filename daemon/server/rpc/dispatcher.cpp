@@ -45,15 +45,18 @@ protocol::RpcError too_many(const std::string& what) {
   return e;
 }
 
-void count(Counters& counters, std::string_view method, const Response& response) {
-  ++counters.requests[{method, response.has_error() ? static_cast<int>(response.error().code) : 0}];
+void count(Counters& counters, protocol::Method method, const Response& response) {
   if (response.has_error()) {
-    if (response.error().code == protocol::ErrorCode::kRefusedThermal)
-      ++counters.effects[{method, "refused"}];
-  } else if (const auto* admission = std::get_if<protocol::Admission>(&*response)) {
+    const protocol::ErrorCode code = response.error().code;
+    counters.requests.add(method, code);
+    if (code == protocol::ErrorCode::kRefusedThermal)
+      ++counters.effects[{protocol::name(method), "refused"}];
+    return;
+  }
+  counters.requests.add(method, std::nullopt);
+  if (const auto* admission = std::get_if<protocol::Admission>(&*response))
     for (const std::string_view by : {"thermal", "mix", "priority", "configuration"})
       if (admission->limited_by == by) ++counters.limited[by];
-  }
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ void Dispatcher::complete(Reply& reply) {
 }
 
 void Dispatcher::line_too_long(Session& session) {
-  count(context_.counters, "none", protocol::line_too_long());
+  context_.counters.requests.add(std::nullopt, protocol::line_too_long().code);
   session.sink->send(protocol::encode_error({}, protocol::line_too_long()), LineKind::kResponse);
 }
 
@@ -111,23 +114,22 @@ bool Dispatcher::has_emergency_stop(std::string_view line) {
 
 void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply) {
   if (item.request.has_error()) {
-    count(context_.counters, "none", item.request.error());
+    context_.counters.requests.add(std::nullopt, item.request.error().code);
     if (item.id) reply->add(protocol::encode_error(*item.id, item.request.error()));
     return;
   }
-  const protocol::Method which = protocol::method_of(*item.request);
-  const std::string_view method = protocol::name(which);
-  const char* what = costly(which);
+  const protocol::Method method = protocol::method_of(*item.request);
+  const char* what = costly(method);
   if (what != nullptr && !item.id) return;
   // A stop is persisted as a latch for the next start, and never rejected because of a later line.
-  if (which != protocol::kMethodOf<protocol::DeviceEmergencyStop>) {
+  if (method != protocol::kMethodOf<protocol::DeviceEmergencyStop>) {
     std::optional<protocol::RpcError> why_not;
     if (context_.stopping)
       why_not = protocol::busy("the daemon is stopping", kRestartMs);
     else if (session.bypassed > 0 && starts_something(*item.request))
       why_not = protocol::busy(
           "superseded by a later emergency stop, or by the end of the connection", 1);
-    else if (what != nullptr && ++reply->costly[which] > kMaxCostly)
+    else if (what != nullptr && ++reply->costly[method] > kMaxCostly)
       why_not = too_many(what);
     else if (reply->bytes > session.batch_bytes)
       why_not = protocol::busy(
@@ -144,7 +146,7 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   if (response != nullptr) count(context_.counters, method, *response);
   if (!item.id) return;
   if (const Encoded* known = std::get_if<Encoded>(&outcome)) {
-    count(context_.counters, method, Response(protocol::Done{}));
+    context_.counters.requests.add(method, std::nullopt);
     reply->add(protocol::encode_encoded(*item.id, *known->result));
     return;
   }
@@ -185,12 +187,12 @@ std::size_t Dispatcher::pending(ConnectionId session) const noexcept {
   return static_cast<std::size_t>(count);
 }
 
-void Dispatcher::send_if_complete(const Reply& reply) {
+void Dispatcher::send_if_complete(Reply& reply) {
   if (reply.open > 0 || reply.responses.empty()) return;
   const auto session = context_.sessions.find(reply.session);
   if (session == context_.sessions.end()) return;
   session->second->sink->send(
-      reply.batch ? protocol::encode_batch(reply.responses) : reply.responses.front(),
+      reply.batch ? protocol::encode_batch(reply.responses) : std::move(reply.responses.front()),
       LineKind::kResponse);
 }
 

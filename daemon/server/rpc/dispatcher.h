@@ -66,7 +66,7 @@ class Dispatcher {
     std::shared_ptr<Reply> reply;
     std::size_t index = 0;
     protocol::Id id;
-    std::string_view method;
+    protocol::Method method{};
     Deferred deferred;
     PolledTime waited;
   };
@@ -75,13 +75,13 @@ class Dispatcher {
   struct Completion {
     std::size_t index = 0;
     protocol::Id id;
-    std::string_view method;
+    protocol::Method method{};
     AfterCommit work;
   };
 
   void item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply);
   void complete(Reply& reply);
-  void send_if_complete(const Reply& reply);
+  void send_if_complete(Reply& reply);
 
   HandlerContext& context_;
   std::vector<Completion> completions_;

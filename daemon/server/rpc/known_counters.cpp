@@ -6,7 +6,6 @@
 #include "daemon/control/state/event.h"
 #include "daemon/control/state/state.h"
 #include "protocol/methods.h"
-#include "protocol/wire/error_set.h"
 
 namespace hedgehog::server {
 namespace {
@@ -37,17 +36,6 @@ Counters known_counters() {
   add_trips(counters);
   for (const char* why : {"cap", "slow", "not_json", "host", "origin", "token", "tls"})
     counters.rejected[why] = 0;
-  using protocol::ErrorCode;
-  for (const protocol::MethodInfo& method : protocol::kMethods) {
-    counters.requests[{method.name, 0}] = 0;
-    for (const ErrorCode code : protocol::kErrorCodes)
-      if (protocol::possible_errors(method).contains(code))
-        counters.requests[{method.name, static_cast<int>(code)}] = 0;
-  }
-  // All errors of decoding, before the method is known.
-  for (const ErrorCode code : {ErrorCode::kParseError, ErrorCode::kInvalidRequest,
-                               ErrorCode::kMethodNotFound, ErrorCode::kInvalidParams})
-    counters.requests[{"none", static_cast<int>(code)}] = 0;
   return counters;
 }
 

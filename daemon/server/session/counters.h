@@ -8,13 +8,14 @@
 #include <string_view>
 #include <utility>
 
+#include "daemon/server/session/request_counts.h"
+
 namespace hedgehog::server {
 
 /// io thread only.
 struct Counters {
   using Name = std::string_view;
-  /// By method ("none" for an invalid request) and error code, 0 = ok.
-  std::map<std::pair<Name, int>, std::uint64_t> requests;
+  RequestCounts requests;
   /// By method and end reason; "refused": never started.
   std::map<std::pair<Name, Name>, std::uint64_t> effects;
   /// Effects admitted with less than requested, by cause; only requests with a response.

@@ -218,8 +218,9 @@ void clients(Page& page, const HandlerContext& context) {
   for (const auto& [why, count] : counters.rejected)
     page.add(count, {{"reason", std::string(why)}});
   page.counter("requests_total", "Requests by method and error code; code 0: carried out");
-  for (const auto& [key, count] : counters.requests)
-    page.add(count, {{"method", std::string(key.first)}, {"code", std::to_string(key.second)}});
+  counters.requests.for_each([&](const RequestCounts::Series& of) {
+    page.add(of.count, {{"method", std::string(of.method)}, {"code", std::to_string(of.code)}});
+  });
   page.counter("telemetry_dropped_total",
                "Telemetry messages left out for clients that read too slowly")
       .add(counters.telemetry_dropped);
