@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "clients/ctl/calibrate/heat_bench.h"
 #include "clients/ctl/calibrate/heat_progress.h"
@@ -64,6 +67,23 @@ TEST(HeatSample, PowerIsOfTheWholeTimeAndResistanceOfTheSettledEnd) {
   const model::HeatSample single = mean_of({readings.back()}, 0.9);
   EXPECT_EQ(single.count, 0);
   EXPECT_EQ(single.current_a[0], 0.0);
+}
+
+TEST(HeatSample, TheRippleOfASupplyIsAveraged) {
+  const double period_s =
+      std::round(1000.0 / kHeatTelemetryHz) / 1000.0;  // as the daemon rounds it
+  constexpr double kRippleShare = 0.0025;
+  for (const double ripple_hz : {100.0, 120.0}) {
+    for (double phase = 0.0; phase < 6.3; phase += 0.3) {
+      std::vector<HeatReading> readings;
+      for (double t_s = period_s; t_s <= 1.5; t_s += period_s) {
+        const double ripple = std::sin(2.0 * std::numbers::pi * ripple_hz * t_s + phase);
+        readings.push_back({t_s, {1.3 * (1.0 + kRippleShare * ripple), 0.0, 0.0}, {2.9, 0.0, 0.0}});
+      }
+      EXPECT_NEAR(mean_of(readings, 0.0).voltage_v[0], 1.3, 0.1 * kRippleShare * 1.3)
+          << ripple_hz << " Hz, " << phase;
+    }
+  }
 }
 
 TEST(HeatProgress, ReadsBackFromItsFile) {

@@ -10,7 +10,6 @@
 namespace hedgehog::client {
 namespace {
 
-constexpr double kHeatTelemetryHz = 100.0;
 constexpr std::int64_t kHeatLeaseMs = 8000;
 constexpr std::int64_t kHeatClaimMs = 10'000;
 /// Below this speed a fan cools no better than a stopped one; same value as in the daemon.

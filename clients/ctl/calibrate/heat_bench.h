@@ -13,6 +13,10 @@
 
 namespace hedgehog::client {
 
+/// A message every 11 ms. A mains supply's ripple has 100 or 120 Hz: at 100 Hz every message would
+/// show the same moment of it, until a late one changes the moment and with it each resistance.
+inline constexpr double kHeatTelemetryHz = 1000.0 / 11.0;
+
 /// One telemetry message of a step.
 struct HeatReading {
   double t_s = 0.0;
