@@ -349,7 +349,7 @@ test-deb: deb
 # in CI.
 .PHONY: test-deb-upgrade
 test-deb-upgrade: REV = HEAD~1
-test-deb-upgrade: deb build/.packages-vm
+test-deb-upgrade: deb build/.packages-vm build/.packages-discovery
 	@$(STAGE) 'build deb before' cmake/deb_revision.sh $(REV) $(CURDIR)/build/before $(PACKED)
 	@$(STAGE) 'tests deb upgrade' tests/deb/run.sh build/deb build/before/build/deb
 	@VM_SECONDS=$(VM_SECONDS) $(STAGE) 'tests service upgrade' tests/vm/service.sh build/deb $(PACKED)/emulator/hedgehog-usbip build/before/build/deb
@@ -377,7 +377,7 @@ test-deb-arm64: deb-arm64 run-configured
 
 # The packages under systemd, in the emulated machine: upgraded, killed, hung, reloaded, stopped, started by udev, purged.
 .PHONY: test-service
-test-service: deb build/.packages-vm
+test-service: deb build/.packages-vm build/.packages-discovery
 	@VM_SECONDS=$(VM_SECONDS) $(STAGE) 'tests service' tests/vm/service.sh build/deb $(PACKED)/emulator/hedgehog-usbip $(BEFORE)
 
 # Simulated daemons with an MQTT broker and Prometheus: processor time, memory, what is lost. Not in CI.

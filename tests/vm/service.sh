@@ -152,6 +152,12 @@ page = urllib.request.Request("https://192.0.2.7:7587/metrics", headers={"Author
 assert b"hedgehog_build_info" in urllib.request.urlopen(page, timeout=60, context=ssl._create_unverified_context()).read()'
 }
 eventually scraped
+# As far as it is restricted, Avahi announces it while it runs.
+ip link set lo multicast on
+systemctl start avahi-daemon
+announced() { avahi-browse --parsable --resolve --terminate _hedgehog._tcp | grep -q '^=;.*;7586;.*"tls=1"'; }
+withdrawn() { avahi-browse --terminate --all >/dev/null && ! announced; }
+eventually announced
 # From an address that the socket does not allow.
 ip address add 198.51.100.7/32 dev lo
 ! python3 -c 'import socket; socket.create_connection(("192.0.2.7", 7586), 3, ("198.51.100.7", 0))' 2>/tmp/out ||
@@ -162,6 +168,8 @@ kill -KILL "$process"
 eventually from_afar 60000 status
 [ "$(property MainPID)" != "$process" ] || fail "it was not started again"
 systemctl stop hedgehogd
+eventually withdrawn
+systemctl stop avahi-daemon.socket avahi-daemon
 eventually is ActiveState inactive hedgehogd.socket
 ! from_afar 3000 status >/tmp/out 2>&1 || fail "a client has started the stopped service"
 are hedgehogd ActiveState=inactive
