@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arbitrary bytes as a line from a client and as a line from a server. A decoded line must be
 // unchanged by encoding and decoding; a rejected one must have an error that can be sent.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -34,11 +35,34 @@ void check(const Item& item) {
   require(stable == encode_request(item.id, *decode_line(stable).items.front().request));
 }
 
+/// A request alone is decoded without a tree, one in a batch with it. The batch is one more level
+/// of nesting.
+void check_alone_and_in_a_batch(std::string_view line) {
+  const Incoming alone = decode_line(line);
+  if (alone.batch || !alone.items.front().method) return;
+  const Incoming batch = decode_line('[' + std::string(line) + ']');
+  const Item& one = alone.items.front();
+  const Item& other = batch.items.front();
+  if (!other.request && other.request.error().code == ErrorCode::kParseError) {
+    const auto opened =
+        std::count(line.begin(), line.end(), '{') + std::count(line.begin(), line.end(), '[');
+    require(static_cast<std::size_t>(opened) >= kMaxNesting);
+    return;
+  }
+  require(one.id == other.id && one.method == other.method);
+  require(one.request.has_value() == other.request.has_value());
+  if (one.request)
+    require(encode_request(one.id, *one.request) == encode_request(one.id, *other.request));
+  else
+    require(one.request.error().message == other.request.error().message);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view line(reinterpret_cast<const char*>(data), size);
   for (const Item& item : decode_line(line).items) check(item);
+  check_alone_and_in_a_batch(line);
   (void)decode_messages(line);
   (void)decode_result<Status>(line);
   (void)decode_result<Description>(line);
