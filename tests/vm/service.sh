@@ -152,7 +152,7 @@ page = urllib.request.Request("https://192.0.2.7:7587/metrics", headers={"Author
 assert b"hedgehog_build_info" in urllib.request.urlopen(page, timeout=60, context=ssl._create_unverified_context()).read()'
 }
 eventually scraped
-# As far as it is restricted, Avahi announces it while it runs.
+# Avahi, which the restricted service asks by D-Bus, announces it while it runs.
 ip link set lo multicast on
 systemctl start avahi-daemon
 announced() { avahi-browse --parsable --resolve --terminate _hedgehog._tcp | grep -q '^=;.*;7586;.*"tls=1"'; }

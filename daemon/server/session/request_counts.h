@@ -14,7 +14,7 @@
 
 namespace hedgehog::server {
 
-/// io thread only. Counting is two additions: it is done for each request.
+/// io thread only. An array, because each request is counted.
 class RequestCounts {
  public:
   /// One series of the metrics: the method's name, "none" for an invalid request; the error code, 0
