@@ -31,20 +31,24 @@ export function flybackText(board, types) {
   const startV = board.nets.get("VM").max;
   return [
     "## Bridges asleep at full current", "",
-    `Stored: ${ways.storedJ.toFixed(2)} J at ${board.winding.amps} A, the norm of the three currents. The supply takes nothing back; capacitors at the lower end of their tolerance.`, "",
+    `Stored: ${ways.storedJ.toFixed(2)} J at ${board.winding.amps} A, the norm of the three currents.`,
+    `The supply takes nothing back; capacitors at the lower end of their tolerance.`, "",
     "| | returned | over | VM | clamp |", "|---|---|---|---|---|",
     `| asleep at once, ${board.winding.amps} A in one winding | ${one.returnedJ.toFixed(2)} J | ${ms(one.seconds)} | ${startV} → ${one.peakV.toFixed(1)} V | ${one.clampJ.toFixed(2)} J |`,
     `| the same, evenly in all three | ${even.returnedJ.toFixed(2)} J | ${ms(even.seconds)} | ${startV} → ${even.peakV.toFixed(1)} V | ${even.clampJ.toFixed(2)} J |`,
     `| asleep at once, ${board.winding.chopAmps} A in each (the drivers' own limit) | ${three.returnedJ.toFixed(2)} J | ${ms(three.seconds)} | ${startV} → ${three.peakV.toFixed(1)} V | ${three.clampJ.toFixed(2)} J |`,
     `| the first, with 100 µF and no clamp | ${ways.bare.returnedJ.toFixed(2)} J | ${ms(ways.bare.seconds)} | ${startV} → ${ways.bare.peakV.toFixed(0)} V | – |`,
     `| after a brake of 5 L/R = ${ms(ways.brakeS)} | ${(ways.brakedJ * 1e6).toFixed(0)} µJ | | unchanged | – |`, "",
-    `Capacitance that holds VM at 24 V without a clamp: ${ways.farads.map(({ windings, farad }) => `${mF(farad)} (${windings === 1 ? "first" : "third"} row)`).join(", ")}. In the brake ${ways.brakedA.toFixed(2)} A are left after 5 L/R and the winding is ${(ways.heatedK * 1e3).toFixed(1)} mK warmer; a PWM line that is stuck during it drives up to ${ways.stuckA.toFixed(0)} A and ${ways.stuckJ.toFixed(1)} J into the winding.`, "",
+    `Capacitance that holds VM at 24 V without a clamp: ${ways.farads.map(({ windings, farad }) => `${mF(farad)} (${windings === 1 ? "first" : "third"} row)`).join(", ")}.`,
+    `In the brake ${ways.brakedA.toFixed(2)} A are left after 5 L/R and the winding is ${(ways.heatedK * 1e3).toFixed(1)} mK warmer;`,
+    `a PWM line that is stuck during it drives up to ${ways.stuckA.toFixed(0)} A and ${ways.stuckJ.toFixed(1)} J into the winding.`, "",
   ].join("\n");
 }
 
 export const figures = (boards, types) => [
   "# Figures of the boards", "",
-  "Written by `board.mjs write` from netlists and parts. *Combined*: root of the sum of squares of the limits; *sum*: all of them at their limit, with the same sign.",
-  "Electronics between −5 and 55 °C, calibrated at 25 °C, the windings' currents through the converter ([bring-up.md](bring-up.md), step 6).", "",
+  "Written by `board.mjs write` from netlists and parts. *Combined*: root of the sum of squares of the limits; *sum*: all of them at their limit,",
+  "with the same sign. Electronics between −5 and 55 °C, calibrated at 25 °C, the windings' currents through the converter",
+  "([bring-up.md](bring-up.md), step 6).", "",
   ...boards.map((board) => errorBudgetText(board, types)), flybackText(boards[0], types),
 ].join("\n");

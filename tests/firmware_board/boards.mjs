@@ -9,6 +9,8 @@ import { kBoardFolder, parseBoard, readParts } from "../../firmware/board/netlis
 
 export const kTypes = readParts();
 export const sourceText = (path) => readFileSync(join(kBoardFolder, "../..", path), "utf8");
+/** A document without its line breaks: a sentence is found wherever its lines end. */
+export const prose = (document) => document.replace(/\s+/g, " ");
 const text = (name) => readFileSync(join(kBoardFolder, name), "utf8");
 
 /** The board `name` with every `cut` in its netlist replaced by `put`, and the lines `more` at its end. */

@@ -4,17 +4,18 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { circuitAt, ntcOhm } from "../../firmware/board/circuits.mjs";
-import { asBuilt, kTypes, sourceText } from "./boards.mjs";
+import { asBuilt, kTypes, prose, sourceText } from "./boards.mjs";
 
 const reference = asBuilt("reference");
 const thesis = asBuilt("thesis");
 const guide = sourceText("firmware/board/bring-up.md");
-const variantB = guide.slice(guide.indexOf("## Variant B"));
+const sentences = prose(guide);
+const variantB = sentences.slice(sentences.indexOf("## Variant B"));
 const resistor = (ref) => reference.parts.get(ref);
 
-/** The numbers of the first match of `pattern` in the guide. */
-function printed(pattern) {
-  const match = pattern.exec(guide);
+/** The numbers of the first match of `pattern` in `text`. */
+function printed(pattern, text = guide) {
+  const match = pattern.exec(text);
   assert.ok(match, `${pattern} is not in the guide`);
   return match.slice(1).map(Number);
 }
@@ -64,7 +65,7 @@ test("the amplifiers' zeros are half of their supply, within what the firmware t
 });
 
 test("5 A raise the outputs by what shunt and amplifier give", () => {
-  const [millivolts, percent] = printed(/IVM\s+rises to (\d+) mV ± (\d+) %/);
+  const [millivolts, percent] = printed(/IVM rises to (\d+) mV ± (\d+) %/, sentences);
   within(5e3 * circuitAt(reference, kTypes, "U7.CH3").voltsPerUnit, 0.012, [millivolts * (1 - percent / 100), millivolts * (1 + percent / 100)]);
 });
 
@@ -93,19 +94,19 @@ test("each direction of step 7 drives the winding at the connector beside it", (
     const shunt = [...reference.parts.values()].find((part) => part.kind === "shunt" && part.pins.get("1") === driver.pins.get("OUTA"));
     assert.equal(reference.parts.get(connector).pins.get("1"), shunt.pins.get("2"));
   });
-  const step7 = /\n## 7\. [^]*?(?=\n## )/.exec(guide)[0];
+  const step7 = prose(/\n## 7\. [^]*?(?=\n## )/.exec(guide)[0]);
   assert.match(step7, /Coil on J2 and nothing on J3 and J4/);
   assert.match(step7, /hedgehogctl hold front --current-a 0\.5/);
 });
 
 test("the supply's voltages in the warning are those of the clamp, the connector and the firmware", () => {
-  const warning = /\*\*Never more than (\d+) V at J1\.\*\* D1 conducts from (\d+) V on and a supply of 24 V burns it: about (\d+) A/.exec(guide).slice(1).map(Number);
+  const warning = printed(/\*\*Never more than (\d+) V at J1\.\*\* D1 conducts from (\d+) V on and a supply of 24 V burns it: about (\d+) A/, sentences);
   const tvs = kTypes.get("TVS");
   const amps = (24 - tvs.breakdown_v) * tvs.clamp_a / (tvs.clamp_v - tvs.breakdown_v);
   assert.deepEqual(warning, [kTypes.get("SUPPLY").pins.get("+").v.max, Number(/([\d.]+)\.\./.exec(tvs.source.replace("SMCJ series: ", ""))[1]), Math.round(amps)]);
   const port = sourceText("daemon/device/board_core/port.h");
   assert.equal(Number(/limits\.supply_max_mv = ([\d']+);/.exec(port)[1].replace("'", "")) / 1e3, tvs.standoff_v);
-  assert.match(guide, /closes Q1 only at 6\.5 to\s+18 V/);
+  assert.match(sentences, /closes Q1 only at 6\.5 to 18 V/);
 });
 
 test("the thermistors' voltages are those of their curve", () => {
@@ -142,7 +143,7 @@ test("variant B has at ground the inputs that the guide names, and its windings 
 
 test("CS reads what the driver's figures give, with nothing and with 2.2 ohm at the supply", () => {
   const { zero, voltsPerUnit } = circuitAt(thesis, kTypes, "U1.GP26");
-  const [volts, amps, ohm] = [/CS_A reads\s+([\d.]+) V/, /V at ([\d.]+) A/, /Put ([\d.]+) Ω/].map((pattern) => Number(pattern.exec(variantB)[1]));
+  const [volts, amps, ohm] = [/CS_A reads ([\d.]+) V/, /V at ([\d.]+) A/, /Put ([\d.]+) Ω/].map((pattern) => Number(pattern.exec(variantB)[1]));
   assert.ok(Math.abs(amps - 12 / ohm) < 0.01);
   assert.ok(Math.abs(volts - (zero + voltsPerUnit * amps)) < 0.001);
   assert.equal(Number(/ADC_C \| about ([\d.]+) V/.exec(variantB)[1]), zero);

@@ -12,7 +12,7 @@ import { errorBudget } from "../../firmware/board/error_budget.mjs";
 import { safeWays } from "../../firmware/board/figures.mjs";
 import { sleep } from "../../firmware/board/flyback.mjs";
 import { kBoardFolder } from "../../firmware/board/netlist.mjs";
-import { asBuilt, kTypes, sourceText } from "./boards.mjs";
+import { asBuilt, kTypes, prose, sourceText } from "./boards.mjs";
 
 const reference = asBuilt("reference");
 const thesis = asBuilt("thesis");
@@ -137,7 +137,7 @@ test("the capacitors behind the supply switch charge before their current counts
   const farad = behind.reduce((sum, { value, tol }) => sum + value * (1 + tol), 0);
   const fanA = kTypes.get("FAN").pins.get("12V").draws_ma / 1e3;
   const { max: volts } = reference.nets.get("12V");
-  const limits = [...sourceText("firmware/board/bring-up.md").matchAll(/12 V with limit (\d+(?:\.\d+)?) A/g)].map(([, amps]) => Number(amps));
+  const limits = [...prose(sourceText("firmware/board/bring-up.md")).matchAll(/12 V with limit (\d+(?:\.\d+)?) A/g)].map(([, amps]) => Number(amps));
   assert.ok(limits.length >= 2, "steps 5 and 7");
   const chargingMs = constant("daemon/device/board_core/limits.h", /kChargingMs = (\d+);/);
   for (const amps of limits) {
@@ -255,7 +255,7 @@ test("the firmware's pins are the board's", (context) => {
 });
 
 test("the README has the calculated figures", () => {
-  const text = sourceText("firmware/board/README.md");
+  const text = prose(sourceText("firmware/board/README.md"));
   const { cases, bare, stuckJ, farads, brakeS } = safeWays(reference, kTypes);
   const texts = [`13.2 → ${cases[0].peakV.toFixed(1)} V; all three at 18 A: ${cases[2].peakV.toFixed(1)} V`,
     `${cases[0].returnedJ.toFixed(2)} J of it come back`, `after ${(1e3 * cases[0].seconds).toFixed(1)} ms`,
