@@ -39,7 +39,6 @@ Connection::Connection(asio::any_io_executor executor, Server& server, Session s
       write_timeout_(settings.write_timeout_s),
       wake_(executor_, asio::steady_timer::time_point::max()),
       progress_(executor_),
-      work_(executor_, asio::steady_timer::time_point::max()),
       capacity_(executor_, asio::steady_timer::time_point::max()),
       pending_timer_(executor_, asio::steady_timer::time_point::max()),
       close_timer_(executor_) {
@@ -66,12 +65,6 @@ asio::awaitable<void> Connection::run() {
         co_await self->write();
       }(shared_from_this()),
       asio::detached);
-  asio::co_spawn(
-      executor_,
-      [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
-        co_await self->serve_held();
-      }(shared_from_this()),
-      asio::detached);
   try {
     co_await read();
   } catch (const std::exception& e) {
@@ -80,8 +73,9 @@ asio::awaitable<void> Connection::run() {
   end_turn();
   read_ended_ = true;
   on_client_close();
-  work_.cancel();
-  while (!served_) co_await wait(capacity_);
+  serve();
+  while (serving_) co_await wait(capacity_);
+  served_ = true;
   server_.close(session_);
   while (!finishing_) co_await wait(pending_timer_);
   // At a shutdown the listener finishes connections with pending responses.
@@ -129,7 +123,7 @@ void Connection::on_queued(bool fits, LineKind kind) {
     if (kind != LineKind::kResponse) return;
     progress_.cancel();
     // By bytes only: an answer reduces the number of pending responses.
-    if (held_back_by_bytes()) work_.cancel();
+    if (held_back_by_bytes()) serve();
     capacity_.cancel();
   } else if (!aborted_) {
     report_not_reading();
@@ -155,7 +149,6 @@ void Connection::abort() noexcept {
   close_socket();
   wake_.cancel();
   progress_.cancel();
-  work_.cancel();
   capacity_.cancel();
 }
 
@@ -206,7 +199,7 @@ bool Connection::must_pause() const noexcept {
 asio::awaitable<bool> Connection::pause() {
   if (held_back_by_bytes()) flush();
   co_await yield_turn();
-  if (held_back()) work_.cancel();
+  if (held_back()) serve();
   while (full() && !aborted_) {
     end_turn();
     co_await wait(capacity_);

@@ -12,7 +12,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -95,7 +95,9 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// Executes held requests as the client reads its responses. A client that reads nothing for
   /// `write_timeout_s` meanwhile is disconnected.
   boost::asio::awaitable<void> serve_held();
-  boost::asio::awaitable<void> serve_until_end();
+  boost::asio::awaitable<void> serve_all();
+  /// Runs `serve_held` unless it runs: while requests are held, or a reader is waited for.
+  void serve();
   void serve_next();
   void execute(std::string_view text, std::int64_t received_ns);
   boost::asio::awaitable<void> wait_for_reader();
@@ -134,12 +136,11 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   std::size_t held_back_bytes_;
   /// Limit of held requests, without the last of them.
   std::size_t max_held_bytes_;
-  std::deque<Held> held_{};
+  std::list<Held> held_{};  // uses no memory while it is empty
   std::size_t held_bytes_ = 0;
   std::chrono::seconds write_timeout_;
   boost::asio::steady_timer wake_;
   boost::asio::steady_timer progress_;       // cancelled when something was sent or answered
-  boost::asio::steady_timer work_;           // waits for work of `serve_held`
   boost::asio::steady_timer capacity_;       // waits until it is not `full`, or all is served
   boost::asio::steady_timer pending_timer_;  // waits until no response is pending
   boost::asio::steady_timer close_timer_;
@@ -152,7 +153,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   bool sent_part_ = false;  // since the start of the write timeout
   bool write_ended_ = false;
   bool read_ended_ = false;
-  bool served_ = false;  // all held requests
+  bool serving_ = false;  // `serve_held` runs
+  bool served_ = false;   // all requests of a client that sends no more
 };
 
 }  // namespace hedgehog::server

@@ -2,13 +2,15 @@
 // Requests of a connection that are held while its client does not read its responses.
 #include <spdlog/spdlog.h>
 
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <exception>
 #include <utility>
 
 #include "daemon/server/net/connection.h"
-#include "daemon/server/net/wait.h"
 
 namespace hedgehog::server {
 
@@ -29,7 +31,7 @@ void Connection::hold(Held line) {
   held_bytes_ += line.text.size() + sizeof line;
   held_.push_back(std::move(line));
   session_.held = held_.size();
-  work_.cancel();
+  serve();
 }
 
 void Connection::bypass_held(std::string_view text) {
@@ -56,20 +58,34 @@ void Connection::serve_next() {
   capacity_.cancel();
 }
 
+void Connection::serve() {
+  if (serving_ || served_) return;
+  serving_ = true;
+  asio::co_spawn(
+      executor_,
+      [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
+        co_await self->serve_held();
+      }(shared_from_this()),
+      asio::detached);
+}
+
 asio::awaitable<void> Connection::serve_held() {
+  // Not within the turn that held a request.
+  co_await asio::post(executor_, asio::use_awaitable);
+  begin_turn();
   try {
-    co_await serve_until_end();
+    co_await serve_all();
   } catch (const std::exception& e) {
     spdlog::error("connection {} ends: {}", session_.id, e.what());
     abort();
   }
   held_.clear();
   session_.held = session_.bypassed = 0;
-  served_ = true;
+  serving_ = false;
   capacity_.cancel();
 }
 
-asio::awaitable<void> Connection::serve_until_end() {
+asio::awaitable<void> Connection::serve_all() {
   while (!aborted_) {
     if (held_back() && !write_ended_) {
       end_turn();
@@ -78,10 +94,6 @@ asio::awaitable<void> Connection::serve_until_end() {
     } else if (!held_.empty()) {
       serve_next();
       co_await yield_turn();
-    } else if (!read_ended_) {
-      end_turn();
-      co_await wait(work_);
-      begin_turn();
     } else {
       break;
     }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/error.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <string_view>
@@ -18,25 +19,30 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-/// Each waiting connection has a buffer of this size; it holds most of what arrives at a time.
-constexpr std::size_t kWaitBytes = 2048;
+/// A TLS stream needs a buffer while it waits; it holds most of what arrives at a time.
+constexpr std::size_t kTlsBytes = 2048;
 
 }  // namespace
 
 template <class Stream>
 asio::awaitable<void> BasicLineConnection<Stream>::read() {
   LineReader reader(protocol::kMaxLineBytes);
-  std::array<char, kWaitBytes> buffer;
+  std::array<char, kPlain ? 0 : kTlsBytes> buffer;
   bool known = false;
   for (;;) {
     error_code ec;
-    const std::size_t count = co_await stream_.async_read_some(
-        asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, ec));
-    if (ec) co_return;
-    on_received();
-    reader.feed({buffer.data(), count});
-    if constexpr (kPlain)
-      if (count == buffer.size()) read_more(reader);
+    if constexpr (kPlain) {
+      co_await stream_.async_wait(Socket::wait_read, asio::redirect_error(asio::use_awaitable, ec));
+      if (ec) co_return;
+      on_received();
+      if (!read_available(reader)) co_return;
+    } else {
+      const std::size_t count = co_await stream_.async_read_some(
+          asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, ec));
+      if (ec) co_return;
+      on_received();
+      reader.feed({buffer.data(), count});
+    }
     if (!known && reader.first_byte()) {
       known = true;
       // Web pages can reach loopback, and HTTP requests begin with a letter.
@@ -55,15 +61,16 @@ asio::awaitable<void> BasicLineConnection<Stream>::read() {
 }
 
 template <class Stream>
-void BasicLineConnection<Stream>::read_more(LineReader& reader) {
+bool BasicLineConnection<Stream>::read_available(LineReader& reader) {
   if constexpr (kPlain) {
     // Used by one connection at a time, never across a suspension.
     static std::array<char, kReadBytes> buffer;
     error_code ec;
-    // The next read returns an end or an error.
     const std::size_t count = stream_.read_some(asio::buffer(buffer), ec);
-    if (!ec) reader.append({buffer.data(), count});
+    reader.feed({buffer.data(), count});
+    return !ec || ec == asio::error::would_block;
   }
+  return false;
 }
 
 template <class Stream>

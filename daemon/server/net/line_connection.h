@@ -20,7 +20,7 @@ class BasicLineConnection final : public Connection {
                       const config::ConnectionSettings& settings)
       : Connection(stream.get_executor(), server, std::move(session), settings),
         stream_(std::move(stream)) {
-    // For `send_now`; asynchronous operations are not affected.
+    // For `send_now` and `read_available`; asynchronous operations are not affected.
     boost::system::error_code ignored;
     if constexpr (kPlain) stream_.non_blocking(true, ignored);
   }
@@ -35,8 +35,8 @@ class BasicLineConnection final : public Connection {
   boost::asio::awaitable<void> finish_stream() override;
   void close() noexcept override;
   std::size_t unread_bytes() noexcept override;
-  /// Reads further available data, up to `kReadBytes`.
-  void read_more(LineReader& reader);
+  /// Reads what a plain socket has received, up to `kReadBytes`. False: no more will follow.
+  bool read_available(LineReader& reader);
   void take_line(const LineReader::Line& line);
 
   Stream stream_;

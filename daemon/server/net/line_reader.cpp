@@ -7,10 +7,6 @@ void LineReader::feed(std::string_view bytes) {
   buffer_.erase(0, begin_);
   scanned_ -= begin_;
   begin_ = 0;
-  append(bytes);
-}
-
-void LineReader::append(std::string_view bytes) {
   if (!first_byte_) {
     const std::size_t at = bytes.find_first_not_of("\r\n");
     if (at != std::string_view::npos) first_byte_ = bytes[at];

@@ -23,8 +23,6 @@ class LineReader {
 
   /// Appends `bytes`. REQUIRES: `next` has returned nullopt since the last `feed`.
   void feed(std::string_view bytes);
-  /// Appends bytes that follow those of the last `feed`. REQUIRES: no `next` since.
-  void append(std::string_view bytes);
   /// The next complete line; nullopt: more bytes are needed.
   std::optional<Line> next();
 
