@@ -137,7 +137,9 @@ int main(int argc, char** argv) {
   if (!options.only.empty())
     std::erase_if(results, [](const bench::Result& one) { return one.is_incomplete(); });
   const std::string json = bench::json_of(results, rounds.size(), options.seconds);
-  std::cout << (options.json ? json : bench::table_of(results));
+  std::cout << (options.json ? json
+                             : bench::table_of(results) + "Medians of " +
+                                   std::to_string(rounds.size()) + " rounds.\n");
   if (!options.out.empty() && !(std::ofstream(options.out) << json)) {
     std::cerr << "bench: cannot write " << options.out << '\n';
     return EXIT_FAILURE;
