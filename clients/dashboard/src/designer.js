@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The designer: key frames put on the ball over time, shown as the currents that would flow, played, saved and loaded.
+import { Audition } from "./audition.js";
 import { Ball } from "./ball.js";
 import { FrameTable } from "./frame_table.js";
 import { Keyframes, kMaxMs } from "./keyframes.js";
@@ -27,6 +28,7 @@ const link = new Link("designer page", [
 ]);
 const ball = new Ball($("ball"));
 const path = new Path(ball);
+const audition = new Audition();
 watch(link);
 askForToken(link);
 stopButton(link, showMessage);
@@ -99,15 +101,27 @@ function draw() {
 
 const params = () => ({ ...frames.wave(), keyframes: frames.wire(), current_a: number("strength") });
 
+/** What the forecast of `frames` sounds like. */
+function soundOf({ current_a, step_ms }) {
+  const steps = current_a.map((current, i) => ({
+    level: Math.min(1, Math.hypot(...current) / number("strength")),
+    // The ball's y is left.
+    side: -(frames.at((i + 0.5) * step_ms)?.direction[1] ?? 0),
+  }));
+  return { steps, stepS: step_ms / 1000, wave: frames.wave() };
+}
+
 async function forecast() {
   line("currents", []);
   $("forecast").textContent = "";
+  audition.silence();
   if (!frames.playable() || !link.ready) return;
   const requested = frames.frames;
   await ask("effect.preview", { method: "effect.play", params: params() }, (preview) => {
     if (requested !== frames.frames) return;
-    line("currents", preview.current_a.map((current, i) =>
-      [(i + 0.5) * preview.step_ms, Math.min(1, Math.hypot(...current) / number("strength"))]));
+    const sound = soundOf(preview);
+    line("currents", sound.steps.map(({ level }, i) => [(i + 0.5) * preview.step_ms, level]));
+    audition.play(sound);
     const limited = limitation(preview.limited_by);
     $("forecast").textContent =
       `at most ${amperes(preview.peak_current_a)}, ${degrees(preview.peak_temperature_c)}${limited}`;
@@ -130,6 +144,13 @@ $("play").addEventListener("click", () => {
   if (!frames.playable()) return showMessage("Put two key frames first: the last one is the end.", true);
   return ask("effect.play", { ...params(), slot: "designer" }, (admission) => showMessage(
     `plays with ${amperes(admission.current_a)}${limitation(admission.limited_by)}`));
+});
+
+$("hear").addEventListener("click", async () => {
+  const on = $("hear").getAttribute("aria-pressed") !== "true";
+  $("hear").setAttribute("aria-pressed", on);
+  await audition.enable(on);
+  if (on) await forecast();
 });
 
 /** Chooses a key frame, or none with -1: the sliders have its time and level. */
@@ -269,4 +290,4 @@ link.addEventListener("telemetry", ({ detail: status }) => {
 });
 draw();
 
-window.dashboard = { ball, path, link, listener, frames: () => frames.frames };
+window.dashboard = { ball, path, link, listener, audition, frames: () => frames.frames };

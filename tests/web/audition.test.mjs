@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The designer's forecast as sound: what a real daemon's preview sounds like, rendered by the browser without a loudspeaker.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { kDesktop } from "./browser.mjs";
+import { open, page, until } from "./dashboard.mjs";
+
+const kRate = 48_000;
+const hear = () => page.getByRole("button", { name: "Hear" });
+const load = (pattern) => page.locator("#load").setInputFiles({
+  name: "p.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(pattern)) });
+const push = (t_ms, direction, level, ease = "linear") => ({ t_ms, direction, level, ease });
+
+/** The designer, whose sound is rendered for 1.5 s instead of played. */
+const openSilently = () => open("/designer.html", kDesktop, (silent) => silent.addInitScript((rate) => {
+  window.AudioContext = class extends OfflineAudioContext {
+    constructor() {
+      super(2, 1.5 * rate, rate);
+    }
+    async close() {}
+  };
+}, kRate));
+
+/** The samples of both sides. */
+async function rendered() {
+  await until(() => window.dashboard.audition.tone !== null);
+  return page.evaluate(async () => {
+    const sound = await window.dashboard.audition.context.startRendering();
+    return [0, 1].map((side) => [...sound.getChannelData(side)]);
+  });
+}
+const between = (samples, fromS, toS) => samples.slice(fromS * kRate, toS * kRate);
+const rms = (samples) => Math.sqrt(samples.reduce((sum, v) => sum + v * v, 0) / samples.length);
+
+test("the forecast is as loud as its current, on the side of the push, and ends with the effect", async () => {
+  await openSilently();
+  await load({ name: "a/b", keyframes: [push(0, "left", 1, "step"), push(500, "right", 0.5), push(1000, "right", 0.5)] });
+  await hear().click();
+  const [left, right] = await rendered();
+  const [strong, weak] = [rms(between(left, 0.1, 0.4)), rms(between(right, 0.6, 0.9))];
+  assert.ok(strong > 0.1 && strong < 0.3, `${strong}`);
+  assert.ok(Math.abs(weak / strong - 0.5) < 0.03, `${weak} of ${strong}`);
+  assert.ok(rms(between(right, 0.1, 0.4)) < 0.01 * strong);
+  assert.ok(rms(between(left, 0.6, 0.9)) < 0.01 * strong);
+  assert.equal(Math.max(...between(left, 1.01, 1.5), ...between(right, 1.01, 1.5)), 0);
+});
+
+test("a wave that is a tone is heard with its frequency, a slower one beats", async () => {
+  const rises = (samples) => samples.filter((v, i) => i > 0 && samples[i - 1] < 0 && v >= 0).length;
+  for (const [waveform, frequency_hz, tone] of [["sine", 60, 60], ["square", 2, 110]]) {
+    await openSilently();
+    await load({ name: "a/b", waveform, frequency_hz, keyframes: [push(0, "front", 1), push(1000, "front", 1)] });
+    await hear().click();
+    const [left, right] = await rendered();
+    const loud = between(left, 0.05, 0.2);
+    assert.ok(Math.abs(rises(loud) - 0.15 * tone) <= 1, `${rises(loud)} periods`);
+    assert.ok(Math.abs(rms(loud) / rms(between(right, 0.05, 0.2)) - 1) < 0.01, "in the middle");
+    assert.equal(rms(between(left, 0.3, 0.45)) > 0.01, waveform === "sine");
+    await page.context().close();
+  }
+});
+
+test("nothing sounds unasked; once asked, each edit does, until it is turned off", async () => {
+  await open("/designer.html");
+  await load({ name: "a/b", keyframes: [push(0, "left", 1), push(1000, "left", 1)] });
+  await until(() => document.getElementById("currents").points.length > 10);
+  assert.equal(await page.evaluate(() => window.dashboard.audition.tone), null);
+  await hear().click();
+  await until(() => window.dashboard.audition.tone !== null);
+  assert.equal(await page.evaluate(() => window.dashboard.audition.context.state), "running");
+  const first = await page.evaluateHandle(() => window.dashboard.audition.tone);
+  await page.locator("[name=strength]").fill("4");
+  await until((before) => ![null, before].includes(window.dashboard.audition.tone), first);
+  await hear().click();
+  await until(() => window.dashboard.audition.context === null);
+  assert.equal(await hear().getAttribute("aria-pressed"), "false");
+  assert.equal(await page.evaluate(() => window.dashboard.audition.tone), null);
+});
