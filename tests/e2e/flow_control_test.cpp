@@ -133,5 +133,32 @@ TEST(ReadSlowly, IsNotDisconnectedWhileItReadsAnything) {
   EXPECT_EQ(daemon.log().find("does not read"), std::string::npos) << daemon.log();
 }
 
+TEST(ReadSlowly, IsDisconnectedIfItReadsNothingAlsoAfterHavingReadAll) {
+  const Home home;
+  home.configure(R"({"connections": {"write_timeout_s": 2}})");
+  DaemonProcess daemon(home);
+  RawClient client(daemon.port());
+  client.send(many_requests());
+  for (int i = 0; i < kUnread; ++i) ASSERT_EQ(client.response()["id"], "many") << i;
+  EXPECT_EQ(daemon.log().find("does not read"), std::string::npos) << daemon.log();
+  client.send(many_requests());
+  EXPECT_TRUE(daemon.logs("does not read"));
+}
+
+TEST(Reads, RequestsThatFillItsBufferExactlyOrNearly) {
+  constexpr std::size_t kBuffer = 16 * 1024;
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient client(daemon.port());
+  for (const std::size_t size : {kBuffer - 1, kBuffer, kBuffer + 1, 2 * kBuffer}) {
+    std::string lines = line("first", "ping") + line("last", "ping");
+    lines.insert(lines.size() - 1, std::string(size - lines.size(), ' '));
+    ASSERT_EQ(lines.size(), size);
+    ASSERT_TRUE(client.send(lines));
+    EXPECT_EQ(client.response()["id"], "first") << size;
+    EXPECT_EQ(client.response()["id"], "last") << size;
+  }
+}
+
 }  // namespace
 }  // namespace hedgehog::e2e

@@ -3,10 +3,14 @@
 
 /** The tone of a push, which has no frequency of its own. */
 const kPushHz = 110;
-/** Slower waves are no tone; the forecast's currents have their beats. */
+/** Slower waves are no tone: they are heard as the forecast's currents rise and fall, as far as its steps show it. */
 const kLowestToneHz = 30;
+/** Of a wave without `frequency_hz`: the protocol's. */
+const kWaveHz = 60;
 /** Of full scale: headphones must not startle. */
 const kLoudest = 0.3;
+const kFadeS = 0.02;
+const kPeriods = 4;
 const kToneWaves = ["sine", "square", "triangle", "sawtooth"];
 
 /** The mean of `count` steps around step `i`. */
@@ -18,37 +22,39 @@ function meanLevel(steps, i, count) {
 
 /**
  * Puts the sound of `steps` into `context` from the time `at` on: {level, side} of each `stepS` seconds, level 0..1 of the
- * strength, side from -1, left, to 1, right. `wave`: parameters of `effect.play`. Returns its oscillator.
+ * strength, side from -1, left, to 1, right. `wave`: parameters of `effect.play`. Returns its oscillator and its gain.
  */
 export function render(context, { steps, stepS, wave }, at) {
-  const isTone = kToneWaves.includes(wave.waveform) && wave.frequency_hz >= kLowestToneHz;
-  const tone = new OscillatorNode(context, isTone ? { type: wave.waveform, frequency: wave.frequency_hz } : { type: "triangle", frequency: kPushHz });
+  const hz = wave.frequency_hz ?? kWaveHz;
+  const isTone = kToneWaves.includes(wave.waveform) && hz >= kLowestToneHz;
+  const tone = new OscillatorNode(context, isTone ? { type: wave.waveform, frequency: hz } : { type: "triangle", frequency: kPushHz });
   const loudness = new GainNode(context, { gain: 0 });
   const side = new StereoPannerNode(context, { pan: steps[0]?.side ?? 0 });
   tone.connect(loudness).connect(side).connect(context.destination);
   loudness.gain.setValueAtTime(0, at);
   side.pan.setValueAtTime(steps[0]?.side ?? 0, at);
-  // A tone is not modulated by its own wave once more.
-  const period = isTone ? Math.max(1, Math.round(1 / (wave.frequency_hz * stepS))) : 1;
+  // The currents have the wave, too, sampled by steps: over some periods a tone is not modulated by it.
+  const count = isTone ? Math.ceil(kPeriods / (hz * stepS)) : 1;
   steps.forEach((step, i) => {
     const middle = at + (i + 0.5) * stepS;
-    loudness.gain.linearRampToValueAtTime(kLoudest * meanLevel(steps, i, period), middle);
+    loudness.gain.linearRampToValueAtTime(kLoudest * meanLevel(steps, i, count), middle);
     side.pan.linearRampToValueAtTime(step.side, middle);
   });
   const end = at + steps.length * stepS;
   loudness.gain.linearRampToValueAtTime(0, end);
   tone.start(at);
   tone.stop(end);
-  return tone;
+  return { tone, gain: loudness.gain };
 }
 
 export class Audition {
   constructor() {
     this.context = null;
-    this.tone = null;
+    /** What `render` returned; null: silence. */
+    this.sounding = null;
   }
 
-  /** Browsers allow sound from a press of a button on. */
+  /** To be called from a click: browsers allow no sound before. */
   async enable(on) {
     this.silence();
     const { context } = this;
@@ -56,14 +62,20 @@ export class Audition {
     await context?.close();
   }
 
-  /** Ends the sound before it, of an effect that has been edited since. */
+  /** Replaces the sound that plays. */
   play(sound) {
     this.silence();
-    if (this.context) this.tone = render(this.context, sound, this.context.currentTime);
+    if (this.context) this.sounding = render(this.context, sound, this.context.currentTime);
   }
 
   silence() {
-    this.tone?.stop();
-    this.tone = null;
+    if (!this.sounding) return;
+    const { tone, gain } = this.sounding;
+    this.sounding = null;
+    const now = this.context.currentTime;
+    gain.cancelScheduledValues(now);
+    // No click.
+    gain.setTargetAtTime(0, now, kFadeS / 4);
+    tone.stop(now + kFadeS);
   }
 }

@@ -96,7 +96,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// `write_timeout_s` meanwhile is disconnected.
   boost::asio::awaitable<void> serve_held();
   boost::asio::awaitable<void> serve_all();
-  /// Runs `serve_held` unless it runs: while requests are held, or a reader is waited for.
+  /// Starts `serve_held` unless it runs: when a request is held, when `held_back`, and after the
+  /// last request.
   void serve();
   void serve_next();
   void execute(std::string_view text, std::int64_t received_ns);
@@ -141,7 +142,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   std::chrono::seconds write_timeout_;
   boost::asio::steady_timer wake_;
   boost::asio::steady_timer progress_;       // cancelled when something was sent or answered
-  boost::asio::steady_timer capacity_;       // waits until it is not `full`, or all is served
+  boost::asio::steady_timer capacity_;       // waits until it is not `full`, or not `serving_`
   boost::asio::steady_timer pending_timer_;  // waits until no response is pending
   boost::asio::steady_timer close_timer_;
   std::chrono::steady_clock::time_point turn_ends_{};

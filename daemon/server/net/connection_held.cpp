@@ -60,20 +60,21 @@ void Connection::serve_next() {
 
 void Connection::serve() {
   if (serving_ || served_) return;
-  serving_ = true;
   asio::co_spawn(
       executor_,
       [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
         co_await self->serve_held();
       }(shared_from_this()),
       asio::detached);
+  serving_ = true;
 }
 
 asio::awaitable<void> Connection::serve_held() {
-  // Not within the turn that held a request.
-  co_await asio::post(executor_, asio::use_awaitable);
-  begin_turn();
   try {
+    // Not within the turn that held a request, nor while responses are removed from the list that
+    // `held_back` reads.
+    co_await asio::post(executor_, asio::use_awaitable);
+    begin_turn();
     co_await serve_all();
   } catch (const std::exception& e) {
     spdlog::error("connection {} ends: {}", session_.id, e.what());

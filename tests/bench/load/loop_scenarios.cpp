@@ -2,9 +2,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -78,10 +79,13 @@ void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup
 
 void play_many_effects(Client& client) {
   for (int i = 0; i < kEffectsOfClient; ++i) {
-    client.call(R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"s)" +
-                std::to_string(i) +
-                R"(","waveform":"sine","frequency_hz":60,"current_a":0.1,"lease_ms":10000}})"
-                "\n");
+    const std::string response =
+        client.call(R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"s)" +
+                    std::to_string(i) +
+                    R"(","waveform":"sine","frequency_hz":60,"current_a":0.1,"lease_ms":10000}})"
+                    "\n");
+    if (response.find(R"("accepted":true)") == response.npos)
+      throw std::runtime_error("an effect was not accepted: " + response);
   }
 }
 
@@ -91,6 +95,25 @@ double loop_tick_us(const Setup& setup) {
   const double before_s = loop.cpu_s();
   wait(setup.seconds);
   return 1e3 * (loop.cpu_s() - before_s) / setup.seconds;
+}
+
+void add_tick_work(const Setup& setup, Figures& figures) {
+  const Daemon daemon(setup.daemon());
+  std::vector<Client> players;
+  for (int i = 0; i < kPlayers; ++i) play_many_effects(players.emplace_back(daemon.port()));
+  Client watcher(daemon.port());
+  watcher.send(R"({"jsonrpc":"2.0","id":1,"method":"telemetry.subscribe",)"
+               R"("params":{"rate_hz":100,"fields":["pins"]}})"
+               "\n");
+  const DelayHistogram before = daemon.histogram("tick_work_seconds");
+  const double before_s = daemon.process().cpu_s("control");
+  const auto until =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(setup.seconds);
+  while (std::chrono::steady_clock::now() < until) watcher.line();
+  const double spent_s = daemon.process().cpu_s("control") - before_s;
+  const DelayHistogram work = daemon.histogram("tick_work_seconds").since(before);
+  figures["work daemon work_us"] = work.mean_us();
+  figures["work daemon tick_us"] = 1e6 * spent_s / std::max(1.0, work.count());
 }
 
 double share_percent(const Child& process, double seconds) {
@@ -129,25 +152,13 @@ void measure_lateness_under_stress(const Setup& setup, Figures& figures) {
 }
 
 void measure_tick_work(const Setup& setup, Figures& figures) {
-  const Daemon daemon(setup.daemon());
-  std::vector<Client> players;
-  for (int i = 0; i < kPlayers; ++i) play_many_effects(players.emplace_back(daemon.port()));
-  Client watcher(daemon.port());
-  watcher.send(R"({"jsonrpc":"2.0","id":1,"method":"telemetry.subscribe",)"
-               R"("params":{"rate_hz":100,"fields":["pins"]}})"
-               "\n");
-  const DelayHistogram before = daemon.histogram("tick_work_seconds");
-  const double before_s = daemon.process().cpu_s("control");
-  const auto until =
-      std::chrono::steady_clock::now() + std::chrono::duration<double>(setup.seconds);
-  while (std::chrono::steady_clock::now() < until) watcher.line();
-  const double spent_s = daemon.process().cpu_s("control") - before_s;
-  const DelayHistogram work = daemon.histogram("tick_work_seconds").since(before);
-  figures["work daemon work_us"] = work.mean_us();
-  figures["work daemon tick_us"] = 1e6 * spent_s / std::max(1.0, work.count());
-  if (!setup.with_references) return;
-  figures["work loop tick_us"] = loop_tick_us(setup);
-  figures["work daemon own_us"] = figures["work daemon tick_us"] - figures["work loop tick_us"];
+  in_turn(setup.round, {[&] {
+                          if (setup.with_references)
+                            figures["work loop tick_us"] = loop_tick_us(setup);
+                        },
+                        [&] { add_tick_work(setup, figures); }});
+  if (setup.with_references)
+    figures["work daemon own_us"] = figures["work daemon tick_us"] - figures["work loop tick_us"];
 }
 
 void measure_idle(const Setup& setup, Figures& figures) {

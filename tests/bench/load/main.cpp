@@ -137,9 +137,10 @@ int main(int argc, char** argv) {
   if (!options.only.empty())
     std::erase_if(results, [](const bench::Result& one) { return one.is_incomplete(); });
   const std::string json = bench::json_of(results, rounds.size(), options.seconds);
-  std::cout << (options.json ? json
-                             : bench::table_of(results) + "Medians of " +
-                                   std::to_string(rounds.size()) + " rounds.\n");
+  std::cout << (options.json
+                    ? json
+                    : bench::table_of(results) + "Medians of " + std::to_string(rounds.size()) +
+                          " rounds of " + std::to_string(options.rounds) + " requested.\n");
   if (!options.out.empty() && !(std::ofstream(options.out) << json)) {
     std::cerr << "bench: cannot write " << options.out << '\n';
     return EXIT_FAILURE;

@@ -54,13 +54,16 @@ bool has(const std::string& program, const std::string& figure, Figures& figures
 }  // namespace
 
 void measure_memory(const Setup& setup, Figures& figures) {
-  {
-    const Daemon daemon(setup.daemon());
-    add_memory("daemon", daemon.process(), daemon.port(), setup.subscribers, figures);
-  }
-  if (!setup.with_references) return;
-  const Server echo({setup.reference_program("echo")});
-  add_memory("echo", echo.process(), echo.port(), setup.subscribers, figures);
+  in_turn(setup.round,
+          {[&] {
+             if (!setup.with_references) return;
+             const Server echo({setup.reference_program("echo")});
+             add_memory("echo", echo.process(), echo.port(), setup.subscribers, figures);
+           },
+           [&] {
+             const Daemon daemon(setup.daemon());
+             add_memory("daemon", daemon.process(), daemon.port(), setup.subscribers, figures);
+           }});
 }
 
 void measure_start(const Setup& setup, Figures& figures) {

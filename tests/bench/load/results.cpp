@@ -25,8 +25,13 @@ std::string median_text(const std::optional<Range>& range) {
   return range ? number(range->median) : "-";
 }
 
-std::string range_text(const std::optional<Range>& range) {
-  return range ? fmt::format("{:.2f} ({:.2f}..{:.2f})", range->median, range->min, range->max) : "";
+/// Of the ratio, or of the value if there is no reference.
+std::string range_text(const Result& result) {
+  if (const auto& ratio = result.ratio)
+    return fmt::format("{:.2f} ({:.2f}..{:.2f})", ratio->median, ratio->min, ratio->max);
+  if (const auto& value = result.value; value && result.row.reference.empty())
+    return fmt::format("({}..{})", number(value->min), number(value->max));
+  return "";
 }
 
 Json json_of(const std::optional<Range>& range) {
@@ -89,10 +94,9 @@ std::string table_of(const std::vector<Result>& results) {
                                 : !one.is_met         ? ""
                                 : *one.is_met         ? "met"
                                                       : "NOT MET";
-    text +=
-        fmt::format(kLine, one.row.name, median_text(one.value), one.row.unit,
-                    one.row.reference.empty() ? "" : median_text(one.reference),
-                    one.row.reference_name, range_text(one.ratio), one.row.goal.text(), outcome);
+    text += fmt::format(kLine, one.row.name, median_text(one.value), one.row.unit,
+                        one.row.reference.empty() ? "" : median_text(one.reference),
+                        one.row.reference_name, range_text(one), one.row.goal.text(), outcome);
   }
   return text;
 }
