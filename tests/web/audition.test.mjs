@@ -5,6 +5,7 @@ import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
 import { open, page, until } from "./dashboard.mjs";
+import { eventually } from "./timeouts.mjs";
 
 const kRate = 48_000;
 const hear = () => page.getByRole("button", { name: "Hear" });
@@ -66,14 +67,21 @@ test("a wave that is a tone is heard with its frequency, a slower one as it rise
 
 test("a tone keeps its loudness where the forecast's steps do not fit its period", async () => {
   const [left] = await rendered(steady({ waveform: "sine", frequency_hz: 40 }, 3400));
-  const parts = Array.from({ length: 20 }, (_, i) => rms(between(left, 0.2 + 0.05 * i, 0.25 + 0.05 * i)));
+  const period = (i) => between(left, 0.2 + i / 40, 0.2 + (i + 1) / 40);
+  const parts = Array.from({ length: 40 }, (_, i) => rms(period(i)));
   assert.ok(Math.max(...parts) < 1.2 * Math.min(...parts), `${parts}`);
 });
 
 test("nothing sounds unasked; once asked, each edit does, until it is turned off", async () => {
-  await open("/designer.html");
+  let previews = 0;
+  await open("/designer.html", kDesktop, async (opened) => opened.on("websocket", (socket) =>
+    socket.on("framesent", ({ payload }) => { previews += [JSON.parse(payload)].flat().filter(({ method }) => method === "effect.preview").length; })));
+  const shown = async (count) => {
+    await eventually(() => previews === count);
+    await until(() => document.getElementById("currents").points.length > 10);
+  };
   await load(steady({}, 1000));
-  await until(() => document.getElementById("currents").points.length > 10);
+  await shown(1);
   assert.equal(await page.evaluate(() => window.dashboard.audition.sounding), null);
   await hear().click();
   await until(() => window.dashboard.audition.sounding !== null);
@@ -81,8 +89,7 @@ test("nothing sounds unasked; once asked, each edit does, until it is turned off
   const sounding = () => page.evaluateHandle(() => window.dashboard.audition.sounding);
   const first = await sounding();
   await page.locator("[name=time]").fill("500");
-  await until(() => document.getElementById("currents").points.length === 0);
-  await until(() => document.getElementById("currents").points.length > 10);
+  await shown(3);
   assert.equal(await page.evaluate((before) => window.dashboard.audition.sounding === before, first), true, "the same effect");
   await page.locator("[name=strength]").fill("4");
   await until((before) => ![null, before].includes(window.dashboard.audition.sounding), first);
