@@ -273,6 +273,18 @@ TEST_F(GameServer, AnnouncesItsShutdown) {
   EXPECT_EQ(last.get(), (Json{{"type", "goodbye"}, {"reason", "somebody pressed Ctrl-C"}}));
 }
 
+TEST_F(GameServer, AnAddressThatOtherMachinesReachIsRefused) {
+  for (const char* address : {"0.0.0.0", "::", "192.168.7.5"}) {
+    try {
+      Server reachable({.address = address, .port = 0, .pages = ""}, a_track());
+      FAIL() << "listens on " << address;
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("without TLS and token"));
+      EXPECT_THAT(error.what(), HasSubstr("ssh -L"));
+    }
+  }
+}
+
 TEST_F(GameServer, APortInUseIsReported) {
   try {
     Server second({.port = server_.port(), .pages = ""}, a_track());

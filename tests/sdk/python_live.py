@@ -50,6 +50,19 @@ class Live(unittest.TestCase):
                                      env=dict(os.environ, PYTHONPATH=str(PYTHON), HEDGEHOG_ADDRESS=self.address)).stdout
         self.assertGreater(float(printed), 10.0)
 
+    def test_a_program_without_options_pushes_until_it_ends(self):
+        program = 'from hedgehog import Ball\nwith Ball() as ball: ball.pulse("left", level=0.5); print(ball.status()["temperature_c"])'
+        with hedgehog.Ball(self.address, timeout_s=60) as watcher:
+            events = watcher.events(["effect_started", "effect_ended"], scope="all", timeout_s=60)
+            printed = subprocess.run([sys.executable, "-c", program], check=True, text=True, stdout=subprocess.PIPE,
+                                     timeout=live_daemon.LIMIT_S,
+                                     env=dict(os.environ, PYTHONPATH=str(PYTHON), HEDGEHOG_ADDRESS=self.address)).stdout
+            started, ended = next(events), next(events)
+        self.assertIn("'coils': [", printed)
+        self.assertEqual((started["type"], ended["type"], ended["effect"]), ("effect_started", "effect_ended", started["effect"]))
+        # On a slow machine the program may live longer than its pulse.
+        self.assertIn(ended["reason"], ("disconnected", "completed"))
+
     def test_a_pulse_is_played_and_ends(self):
         with hedgehog.Ball(self.address, timeout_s=60) as ball:
             events = ball.events(["effect_ended"], timeout_s=60)

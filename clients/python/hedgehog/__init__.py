@@ -4,10 +4,10 @@
     from hedgehog import Ball
 
     with Ball() as ball:
-        ball.pulse("left", level=0.5)
+        ball.pulse("left", level=0.5, on_close="finish")
         print(ball.status()["temperature_c"])
 
-`Ball` blocks, never longer than its timeout; `AsyncBall` is the same for asyncio.
+An effect ends with its connection unless it has `on_close="finish"`. `Ball` blocks, never longer than its timeout; `AsyncBall` is the same for asyncio.
 """
 
 from .aio import AsyncBall

@@ -26,7 +26,7 @@ class AsyncBall(AsyncMethods):
     """As `Ball`, in one event loop; several tasks may wait for responses at once. Its iterators end with their connection.
 
     async with AsyncBall() as ball:
-        await ball.pulse("left", level=0.5)
+        await ball.pulse("left", level=0.5, on_close="finish")
     """
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", timeout_s: float = 2.0,

@@ -125,6 +125,11 @@ void Hub::Impl::listen(const HubSettings& settings) {
   error_code ec;
   const asio::ip::address address = asio::ip::make_address(settings.address, ec);
   if (ec) throw std::runtime_error("cannot listen on " + where + ": that is no address");
+  if (!address.is_loopback()) {
+    throw std::runtime_error("refused to listen on " + where +
+                             ": other machines would reach it without TLS and token; from another "
+                             "machine use ssh -L 7585:127.0.0.1:7585 to this one");
+  }
   const Tcp::endpoint endpoint(address, settings.port);
   acceptor.open(endpoint.protocol());
   acceptor.set_option(Tcp::acceptor::reuse_address(true));
