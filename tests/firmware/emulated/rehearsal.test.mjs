@@ -180,22 +180,22 @@ test('with that file it gives its first push, and its values are those of the ba
   const file = readFound();
   await withDaemon(await start({ 'ball-7': file }, 'ball-7'), async (daemon, ball) => {
     await daemon.state('armed');
-    /** `amps` through winding `k` alone. */
-    const pulse = async (direction, k, amps, durationMs) => {
+    /** `amps` through winding `k` alone, by the command `verb`; until the daemon knows that they have ended. */
+    const push = async (verb, direction, k, amps, ...options) => {
       const before = daemon.trace().length;
-      await does(daemon, 'pulse', direction, '--current-a', String(amps), '--duration-ms', String(durationMs));
+      await does(daemon, verb, direction, '--current-a', String(amps), ...options);
       const line = await eventually('the bridges sleep', () => daemon.trace().slice(before).find(({ event }) => event === 'asleep'));
-      // The remaining current of this pulse must not count for the next one.
+      // The remaining current must not count for the next one.
       await eventually('no current', () => daemon.trace().slice(before).some(({ event }) => event === 'zero'));
       // Nor in the daemon, which learns of it some milliseconds later and would counteract it in the next one.
       await passed(ball, kKnownMs);
       line.peak_ma.forEach((ma, i) => assert.ok(i === k ? Math.abs(ma / amps - 1000) < 50 : Math.abs(ma) < 300, `${direction}: ${line.peak_ma} mA`));
     };
     const windings = [['front', 0], ['left', 1], ['up', 2]];
-    for (const [direction, k] of windings) await pulse(direction, k, 5, 150);
-    // bring-up.md, step 8: 5 A for a minute, then 15 A for a second at a time
-    for (const [direction] of kThermal ? windings : []) await does(daemon, 'hold', direction, '--current-a', '5', '--for', '60');
-    for (const [direction, k] of windings) await pulse(direction, k, 15, 1000);
+    for (const [direction, k] of windings) await push('pulse', direction, k, 5, '--duration-ms', '150');
+    // bring-up.md, step 8: 5 A for a minute, in the short form for a moment; then 15 A for a second at a time
+    for (const [direction, k] of windings) await push('hold', direction, k, 5, '--for', kThermal ? '60' : '2');
+    for (const [direction, k] of windings) await push('pulse', direction, k, 15, '--duration-ms', '1000');
     const gains = await measureGains(ball, kDrawn.supply_v);
     file.r25_ohm.forEach((ohm, k) => {
       const share = ohm / kDrawn.r25_ohm[k] * gains.current[k] / gains.supply - 1;
