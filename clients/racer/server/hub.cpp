@@ -17,11 +17,11 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket.hpp>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "clients/racer/server/host_check.h"
 #include "clients/racer/server/open_page.h"
+#include "clients/racer/server/page_acceptor.h"
 #include "clients/racer/server/pages.h"
 
 namespace hedgehog::racer {
@@ -96,12 +96,13 @@ asio::awaitable<bool> send_response(beast::tcp_stream& stream, const Response& a
 
 struct Hub::Impl {
   Impl(const HubSettings& settings, Callbacks given)
-      : callbacks(std::move(given)), files(read_pages(settings.pages)), acceptor(context) {
-    listen(settings);
+      : callbacks(std::move(given)),
+        files(read_pages(settings.pages)),
+        acceptor(open_acceptor(context, settings)),
+        port(acceptor.local_endpoint().port()) {
     asio::co_spawn(context, accept(), asio::detached);
   }
 
-  void listen(const HubSettings& settings);
   asio::awaitable<void> accept();
   asio::awaitable<void> serve(Tcp::socket socket);
   asio::awaitable<void> serve_page(beast::tcp_stream stream, Request request);
@@ -110,7 +111,6 @@ struct Hub::Impl {
 
   Callbacks callbacks;
   base::WebFiles files;
-  HostCheck host_check;
   std::string first_message;
   // Before the context, whose destructor destroys the coroutines that own the pages.
   std::set<OpenPage*> pages;
@@ -118,29 +118,8 @@ struct Hub::Impl {
   PageId last_id = 0;
   asio::io_context context{1};
   Tcp::acceptor acceptor;
+  std::uint16_t port;
 };
-
-void Hub::Impl::listen(const HubSettings& settings) {
-  const std::string where = settings.address + ":" + std::to_string(settings.port);
-  error_code ec;
-  const asio::ip::address address = asio::ip::make_address(settings.address, ec);
-  if (ec) throw std::runtime_error("cannot listen on " + where + ": that is no address");
-  if (!address.is_loopback()) {
-    throw std::runtime_error("refused to listen on " + where +
-                             ": other machines would reach it without TLS and token; from another "
-                             "machine use ssh -L 7585:127.0.0.1:7585 to this one");
-  }
-  const Tcp::endpoint endpoint(address, settings.port);
-  acceptor.open(endpoint.protocol());
-  acceptor.set_option(Tcp::acceptor::reuse_address(true));
-  acceptor.bind(endpoint, ec);
-  if (!ec) acceptor.listen(asio::socket_base::max_listen_connections, ec);
-  if (ec) {
-    throw std::runtime_error("cannot listen on " + where + ": " + ec.message() +
-                             "; --listen chooses another port, 0 a free one");
-  }
-  host_check = {address.to_string(), acceptor.local_endpoint().port()};
-}
 
 asio::awaitable<void> Hub::Impl::accept() {
   asio::steady_timer pause(context);
@@ -203,10 +182,10 @@ asio::awaitable<void> Hub::Impl::serve(Tcp::socket socket) {
     if (origin != request.end()) from = origin->value();
     const bool ws_upgrade = websocket::is_upgrade(request) && request.target() == "/ws";
     Response reply{};
-    if (!host_check.is_own_host(host)) {
+    if (!is_own_host(host)) {
       reply = sentence(http::status::misdirected_request,
                        "that is no name of this machine: use http://127.0.0.1 and this port\n");
-    } else if (!host_check.may_connect(host, from)) {
+    } else if (!may_connect(host, from)) {
       reply = sentence(http::status::forbidden, "pages of other sites may not connect\n");
     } else if (ws_upgrade && pages.size() < static_cast<std::size_t>(kMaxPages)) {
       co_await serve_page(std::move(stream), std::move(request));
@@ -300,6 +279,6 @@ void Hub::announce_shutdown(std::string_view text) {
 
 int Hub::pages() const noexcept { return static_cast<int>(impl_->pages.size()); }
 
-std::uint16_t Hub::port() const noexcept { return impl_->host_check.port; }
+std::uint16_t Hub::port() const noexcept { return impl_->port; }
 
 }  // namespace hedgehog::racer

@@ -16,10 +16,12 @@ namespace {
 
 using Ids = std::set<std::pair<int, int>>;
 
-std::string rules() {
-  std::ifstream in(source_folder() + "/systemd/60-hedgehog.rules");
+std::string installed(const std::string& file) {
+  std::ifstream in(source_folder() + "/systemd/" + file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
+
+std::string rules() { return installed("60-hedgehog.rules"); }
 
 int hex(const std::string& text) { return std::stoi(text, nullptr, 16); }
 
@@ -69,6 +71,15 @@ TEST(UdevRules, ListTheMtiAndTheBoard) {
       known<UsbDevice>({0x2639}, [](const SensorDriver* driver) { return driver == &kMtiDriver; });
   expected.emplace(0x1209, 0x0001);
   EXPECT_EQ(usb_ids(rules()), expected);
+}
+
+TEST(Metainfo, OffersThePackageForTheBoardOfTheRules) {
+  Ids ids;
+  const std::string text = installed("hedgehogd.metainfo.xml");
+  const std::regex one(R"(<modalias>usb:v(\w{4})p(\w{4})d\*</modalias>)");
+  for (std::sregex_iterator it(text.begin(), text.end(), one), end; it != end; ++it)
+    ids.emplace(hex((*it)[1]), hex((*it)[2]));
+  EXPECT_EQ(ids, (Ids{{0x1209, 0x0001}}));
 }
 
 TEST(UdevRules, GiveAccessToTheGroupOnly) {
