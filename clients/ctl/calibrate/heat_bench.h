@@ -13,9 +13,10 @@
 
 namespace hedgehog::client {
 
-/// A message every 11 ms. A mains supply's ripple has 100 or 120 Hz: at 100 Hz every message would
+/// A message every 7 ms. A mains supply's ripple has 100 or 120 Hz: at 100 Hz every message would
 /// show the same moment of it, until a late one changes the moment and with it each resistance.
-inline constexpr double kHeatTelemetryHz = 1000.0 / 11.0;
+/// More messages also average more of the currents' noise.
+inline constexpr double kHeatTelemetryHz = 1000.0 / 7.0;
 
 /// One telemetry message of a step.
 struct HeatReading {
