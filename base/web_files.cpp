@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <utility>
 
@@ -38,8 +37,18 @@ std::string_view type_of(const fs::path& file) {
 
 std::uint32_t check_sum(const std::string& bytes) { return crc32(std::as_bytes(std::span(bytes))); }
 
+std::string content_of(const fs::directory_entry& entry) {
+  std::error_code gone;
+  const std::uintmax_t size = entry.file_size(gone);
+  std::string bytes(gone ? 0 : size, '\0');
+  std::ifstream file(entry.path(), std::ios::binary);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
 /// The last eight bytes of a gzip file are the CRC-32 and the length of its content (RFC 1952).
-bool holds(const std::string& gzip, const std::string& bytes) {
+bool holds(const std::string& gzip, std::uint32_t sum, std::size_t size) {
   constexpr std::size_t kMinBytes = 18;
   if (gzip.size() < kMinBytes) return false;
   const auto word = [&](std::size_t from_end) {
@@ -50,7 +59,7 @@ bool holds(const std::string& gzip, const std::string& bytes) {
     }
     return value;
   };
-  return word(8) == check_sum(bytes) && word(4) == bytes.size();
+  return word(8) == sum && word(4) == size;
 }
 
 /// Naming of esbuild: "-" and eight upper-case letters and digits before the extension.
@@ -111,15 +120,14 @@ WebFiles read_web_files(const std::string& folder, WebFolder depth, std::size_t 
   WebFiles files;
   std::size_t total = 0;
   std::map<std::string, std::shared_ptr<const std::string>> packed;
+  std::map<std::string, std::uint32_t> sums;
   for (fs::recursive_directory_iterator it(folder, files.error), end; !files.error && it != end;
        it.increment(files.error)) {
     if (depth == WebFolder::kAlone) it.disable_recursion_pending();
     const bool is_packed = it->path().extension() == ".gz";
     const std::string_view type = type_of(is_packed ? it->path().stem() : it->path());
     if (type.empty() || it->is_symlink() || !it->is_regular_file()) continue;
-    std::ifstream file(it->path(), std::ios::binary);
-    auto bytes = std::make_shared<const std::string>(std::istreambuf_iterator<char>(file),
-                                                     std::istreambuf_iterator<char>());
+    auto bytes = std::make_shared<const std::string>(content_of(*it));
     total += bytes->size();
     if (total > max_bytes) {
       files.by_path.clear();
@@ -130,7 +138,8 @@ WebFiles read_web_files(const std::string& folder, WebFolder depth, std::size_t 
     if (is_packed) {
       packed.emplace(path.substr(0, path.size() - 3), std::move(bytes));
     } else {
-      std::string etag = fmt::format(R"("{:08x}-{:x}")", check_sum(*bytes), bytes->size());
+      const std::uint32_t sum = sums[path] = check_sum(*bytes);
+      std::string etag = fmt::format(R"("{:08x}-{:x}")", sum, bytes->size());
       const bool immutable = has_hash(path);
       files.by_path.emplace(std::move(path),
                             WebFile{type, std::move(bytes), nullptr, std::move(etag), immutable});
@@ -138,7 +147,7 @@ WebFiles read_web_files(const std::string& folder, WebFolder depth, std::size_t 
   }
   for (auto& [path, bytes] : packed) {
     const auto file = files.by_path.find(path);
-    if (file != files.by_path.end() && holds(*bytes, *file->second.bytes))
+    if (file != files.by_path.end() && holds(*bytes, sums[path], file->second.bytes->size()))
       file->second.gzip = std::move(bytes);
   }
   return files;

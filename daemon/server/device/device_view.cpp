@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "daemon/control/checks/board_check.h"
 #include "model/limit/rearm.h"
@@ -22,17 +23,22 @@ DeviceView::DeviceView(const config::Config& config, control::Mailbox& mailbox,
       mailbox_(mailbox),
       link_(link),
       epoch_ns_(epoch_ns),
-      pins_(model::ball_pins(config.device.geometry).value()),
-      true_pins_(simulated() && config.simulated_ball().geometry != config.device.geometry
-                     ? model::ball_pins(config.simulated_ball().geometry).value()
-                     : pins_),
-      pin_pitch_deg_(model::pin_pitch_deg(pins_->array)),
+      pins_(std::async(std::launch::async, pins_of, config.device.geometry,
+                       simulated() ? config.simulated_ball().geometry : config.device.geometry)),
       forecaster_(config.device.coils, config.device.thermal, config.limits),
       outbox_(mailbox) {
   link_.limits.write(device::BoardLimits::of(config.limits));
   simulator_.ambient_c = config.simulator.ambient_c;
   if (config.imu == config::ImuType::kSimulator) set_orientation({});
   set_snapshot(mailbox_.status.read());
+}
+
+DeviceView::Pins DeviceView::pins_of(const model::BallGeometry& ball,
+                                     const model::BallGeometry& true_ball) {
+  auto pins = model::ball_pins(ball).value();
+  auto true_pins = ball == true_ball ? pins : model::ball_pins(true_ball).value();
+  const double pitch_deg = model::pin_pitch_deg(pins->array);
+  return {std::move(pins), std::move(true_pins), pitch_deg};
 }
 
 void DeviceView::refresh() {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,13 +70,14 @@ class DeviceView {
   /// The board still keeps tighter limits than these, from an earlier configuration.
   bool is_board_limited() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
-  const model::PinArray& array() const noexcept { return pins_->array; }
+  // Of the pins, which a thread computes while the daemon starts: the first call may wait for it.
+  const model::PinArray& array() const noexcept { return pins_.get().ball->array; }
   /// From pin to pin, degrees (model::pin_pitch_deg).
-  double pin_pitch_deg() const noexcept { return pin_pitch_deg_; }
-  const model::PinCurves& pin_curves() const noexcept { return pins_->curves; }
+  double pin_pitch_deg() const noexcept { return pins_.get().pitch_deg; }
+  const model::PinCurves& pin_curves() const noexcept { return pins_.get().ball->curves; }
   /// Of the simulated ball, or of the device according to its file: the same pins, possibly with
   /// other magnets.
-  const model::PinCurves& true_pin_curves() const noexcept { return true_pins_->curves; }
+  const model::PinCurves& true_pin_curves() const noexcept { return pins_.get().true_ball->curves; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
   /// Time for which the full current can flow from ambient temperature, by the present estimates,
@@ -134,6 +136,12 @@ class DeviceView {
   const device::PlantTruth& truth() const noexcept { return link_.truth.read(); }
 
  private:
+  struct Pins {
+    std::shared_ptr<const model::BallPins> ball;
+    std::shared_ptr<const model::BallPins> true_ball;
+    double pitch_deg;
+  };
+  static Pins pins_of(const model::BallGeometry& ball, const model::BallGeometry& true_ball);
   void set_snapshot(const control::StatusSnapshot& latest);
   void renew_orientation();
 
@@ -141,9 +149,7 @@ class DeviceView {
   control::Mailbox& mailbox_;
   device::LinkPort& link_;
   std::int64_t epoch_ns_;
-  std::shared_ptr<const model::BallPins> pins_;
-  std::shared_ptr<const model::BallPins> true_pins_;
-  double pin_pitch_deg_;
+  std::shared_future<Pins> pins_;
   model::Forecaster forecaster_;
   Outbox outbox_;
   control::StatusSnapshot snapshot_;
