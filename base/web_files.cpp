@@ -38,9 +38,9 @@ std::string_view type_of(const fs::path& file) {
 std::uint32_t check_sum(const std::string& bytes) { return crc32(std::as_bytes(std::span(bytes))); }
 
 std::string content_of(const fs::directory_entry& entry) {
-  std::error_code gone;
-  const std::uintmax_t size = entry.file_size(gone);
-  std::string bytes(gone ? 0 : size, '\0');
+  std::error_code ec;
+  const std::uintmax_t size = entry.file_size(ec);
+  std::string bytes(ec ? 0 : size, '\0');
   std::ifstream file(entry.path(), std::ios::binary);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(file.gcount()));

@@ -14,12 +14,6 @@ bool WebHost::is_v4() const {
   return inet_pton(AF_INET, name.c_str(), &address) == 1;
 }
 
-bool WebHost::is_v6() const {
-  in6_addr address{};
-  return name.starts_with('[') && name.ends_with(']') &&
-         inet_pton(AF_INET6, name.substr(1, name.size() - 2).c_str(), &address) == 1;
-}
-
 bool WebHost::is_loopback() const {
   return name == "localhost" || name == "[::1]" || (is_v4() && name.starts_with("127."));
 }

@@ -15,7 +15,6 @@ struct WebHost {
   std::optional<std::string> port{};
 
   bool is_v4() const;
-  bool is_v6() const;
   /// "localhost", an address 127.x.x.x or "[::1]".
   bool is_loopback() const;
   /// Loopback with any valid port: ssh -L may map it to another one. The port does not affect what

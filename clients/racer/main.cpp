@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
   bool driver = false;
   std::string listen = "127.0.0.1:7585";
   std::string pages = racer::default_pages_folder();
-  app.add_option("--listen", listen, "address:port of the page; port 0: a free one").show_default();
+  app.add_option("--listen", listen, "address:port of the page, on loopback; port 0: a free one")
+      .show_default();
   app.add_option("--address", address,
                  "of the daemon: host:port or a socket's path (HEDGEHOG_ADDRESS)");
   app.add_flag("--no-ball", no_ball, "looks for no daemon");

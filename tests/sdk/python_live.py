@@ -50,7 +50,7 @@ class Live(unittest.TestCase):
                                      env=dict(os.environ, PYTHONPATH=str(PYTHON), HEDGEHOG_ADDRESS=self.address)).stdout
         self.assertGreater(float(printed), 10.0)
 
-    def test_a_program_without_options_pushes_until_it_ends(self):
+    def test_the_shortest_program_pushes(self):
         program = 'from hedgehog import Ball\nwith Ball() as ball: ball.pulse("left", level=0.5); print(ball.status()["temperature_c"])'
         with hedgehog.Ball(self.address, timeout_s=60) as watcher:
             events = watcher.events(["effect_started", "effect_ended"], scope="all", timeout_s=60)

@@ -4,11 +4,11 @@
 /** The tone of a push, which has no frequency of its own. */
 const kPushHz = 110;
 /** Slower waves are no tone: they are heard as the forecast's currents rise and fall, as far as its steps show it. */
-const kLowestToneHz = 30;
+const kMinToneHz = 30;
 /** Of a wave without `frequency_hz`: the protocol's. */
 const kWaveHz = 60;
 /** Of full scale: headphones must not startle. */
-const kLoudest = 0.3;
+const kMaxGain = 0.3;
 const kFadeS = 0.02;
 const kPeriods = 4;
 const kToneWaves = ["sine", "square", "triangle", "sawtooth"];
@@ -26,7 +26,7 @@ function meanLevel(steps, i, count) {
  */
 export function render(context, { steps, stepS, wave }, at) {
   const hz = wave.frequency_hz ?? kWaveHz;
-  const isTone = kToneWaves.includes(wave.waveform) && hz >= kLowestToneHz;
+  const isTone = kToneWaves.includes(wave.waveform) && hz >= kMinToneHz;
   const tone = new OscillatorNode(context, isTone ? { type: wave.waveform, frequency: hz } : { type: "triangle", frequency: kPushHz });
   const loudness = new GainNode(context, { gain: 0 });
   const side = new StereoPannerNode(context, { pan: steps[0]?.side ?? 0 });
@@ -37,7 +37,7 @@ export function render(context, { steps, stepS, wave }, at) {
   const count = isTone ? Math.ceil(kPeriods / (hz * stepS)) : 1;
   steps.forEach((step, i) => {
     const middle = at + (i + 0.5) * stepS;
-    loudness.gain.linearRampToValueAtTime(kLoudest * meanLevel(steps, i, count), middle);
+    loudness.gain.linearRampToValueAtTime(kMaxGain * meanLevel(steps, i, count), middle);
     side.pan.linearRampToValueAtTime(step.side, middle);
   });
   const end = at + steps.length * stepS;
@@ -50,8 +50,10 @@ export function render(context, { steps, stepS, wave }, at) {
 export class Audition {
   constructor() {
     this.context = null;
-    /** What `render` returned; null: silence. */
+    /** What `render` returned last; null: it was silenced. */
     this.sounding = null;
+    /** The effect of that sound, as text; empty: none. */
+    this.effect = "";
   }
 
   /** To be called from a click: browsers allow no sound before. */
@@ -62,20 +64,30 @@ export class Audition {
     await context?.close();
   }
 
-  /** Replaces the sound that plays. */
-  play(sound) {
+  /** Silence, unless the sound is that of `effect`. */
+  endOthers(effect) {
+    if (effect !== this.effect) this.silence();
+  }
+
+  /** Replaces the sound that plays; that of the same `effect` is not repeated. */
+  play(effect, sound) {
+    if (!this.context || effect === this.effect) return;
     this.silence();
-    if (this.context) this.sounding = render(this.context, sound, this.context.currentTime);
+    this.effect = effect;
+    this.sounding = render(this.context, sound, this.context.currentTime);
   }
 
   silence() {
+    this.effect = "";
     if (!this.sounding) return;
     const { tone, gain } = this.sounding;
     this.sounding = null;
     const now = this.context.currentTime;
+    // From its present value: a jump would click.
+    const { value } = gain;
     gain.cancelScheduledValues(now);
-    // No click.
-    gain.setTargetAtTime(0, now, kFadeS / 4);
+    gain.setValueAtTime(value, now);
+    gain.linearRampToValueAtTime(0, now + kFadeS);
     tone.stop(now + kFadeS);
   }
 }

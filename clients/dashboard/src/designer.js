@@ -111,22 +111,19 @@ function soundOf({ current_a, step_ms }) {
   return { steps, stepS: step_ms / 1000, wave: frames.wave() };
 }
 
-/** The parameters that sounded last, as JSON; empty: none since *Hear* was pressed. */
-let heard = "";
 async function forecast() {
   clearTimeout(edit.timer);
   line("currents", []);
   $("forecast").textContent = "";
   const wanted = frames.playable() ? JSON.stringify(params()) : "";
-  if (wanted !== heard) audition.silence();
+  audition.endOthers(wanted);
   if (wanted === "" || !link.ready) return;
   const requested = frames.frames;
   await ask("effect.preview", { method: "effect.play", params: params() }, (preview) => {
     if (requested !== frames.frames) return;
     const sound = soundOf(preview);
     line("currents", sound.steps.map(({ level }, i) => [(i + 0.5) * preview.step_ms, level]));
-    if (wanted !== heard) audition.play(sound);
-    heard = wanted;
+    audition.play(wanted, sound);
     const limited = limitation(preview.limited_by);
     $("forecast").textContent =
       `at most ${amperes(preview.peak_current_a)}, ${degrees(preview.peak_temperature_c)}${limited}`;
@@ -155,7 +152,6 @@ $("hear").addEventListener("click", async () => {
   const on = $("hear").getAttribute("aria-pressed") !== "true";
   $("hear").setAttribute("aria-pressed", on);
   await audition.enable(on);
-  heard = "";
   if (on) await forecast();
 });
 

@@ -15,9 +15,11 @@ asio::ip::tcp::acceptor open_acceptor(asio::io_context& context, const HubSettin
   const asio::ip::address address = asio::ip::make_address(settings.address, ec);
   if (ec) throw std::runtime_error("cannot listen on " + where + ": that is no address");
   if (!address.is_loopback()) {
+    const std::string port = std::to_string(settings.port);
     throw std::runtime_error("refused to listen on " + where +
                              ": other machines would reach it without TLS and token; from another "
-                             "machine use ssh -L 7585:127.0.0.1:7585 to this one");
+                             "machine use ssh -L " +
+                             port + ":127.0.0.1:" + port + " to this one");
   }
   const asio::ip::tcp::endpoint endpoint(address, settings.port);
   asio::ip::tcp::acceptor acceptor(context);

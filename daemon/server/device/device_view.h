@@ -70,7 +70,8 @@ class DeviceView {
   /// The board still keeps tighter limits than these, from an earlier configuration.
   bool is_board_limited() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
-  // Of the pins, which a thread computes while the daemon starts: the first call may wait for it.
+  // Of the pins, which a thread computes while the daemon starts: the first call may wait for it,
+  // and ends the daemon if there was no memory for them.
   const model::PinArray& array() const noexcept { return pins_.get().ball->array; }
   /// From pin to pin, degrees (model::pin_pitch_deg).
   double pin_pitch_deg() const noexcept { return pins_.get().pitch_deg; }

@@ -88,6 +88,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
     std::string text;
     bool too_long = false;
     std::int64_t received_ns = 0;
+    /// With that of its place in the list.
+    std::size_t bytes() const noexcept { return text.size() + sizeof *this + 4 * sizeof(void*); }
   };
 
   boost::asio::awaitable<void> run();

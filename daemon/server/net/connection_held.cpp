@@ -28,7 +28,7 @@ bool Connection::full() const noexcept {
 
 void Connection::hold(Held line) {
   // An empty line uses memory too.
-  held_bytes_ += line.text.size() + sizeof line;
+  held_bytes_ += line.bytes();
   held_.push_back(std::move(line));
   session_.held = held_.size();
   serve();
@@ -48,7 +48,7 @@ void Connection::execute(std::string_view text, std::int64_t received_ns) {
 void Connection::serve_next() {
   const Held line = std::move(held_.front());
   held_.pop_front();
-  held_bytes_ -= line.text.size() + sizeof line;
+  held_bytes_ -= line.bytes();
   if (line.too_long)
     server_.line_too_long(session_);
   else

@@ -80,6 +80,7 @@ TEST(Metainfo, OffersThePackageForTheBoardOfTheRules) {
   for (std::sregex_iterator it(text.begin(), text.end(), one), end; it != end; ++it)
     ids.emplace(hex((*it)[1]), hex((*it)[2]));
   EXPECT_EQ(ids, (Ids{{0x1209, 0x0001}}));
+  EXPECT_TRUE(usb_ids(rules()).contains(*ids.begin()));
 }
 
 TEST(UdevRules, GiveAccessToTheGroupOnly) {
