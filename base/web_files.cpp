@@ -7,11 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <utility>
 
 #include "base/crc32.h"
+#include "base/regular_file.h"
 
 namespace hedgehog::base {
 namespace {
@@ -36,16 +36,6 @@ std::string_view type_of(const fs::path& file) {
 }
 
 std::uint32_t check_sum(const std::string& bytes) { return crc32(std::as_bytes(std::span(bytes))); }
-
-std::string content_of(const fs::directory_entry& entry) {
-  std::error_code ec;
-  const std::uintmax_t size = entry.file_size(ec);
-  std::string bytes(ec ? 0 : size, '\0');
-  std::ifstream file(entry.path(), std::ios::binary);
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
-}
 
 /// The last eight bytes of a gzip file are the CRC-32 and the length of its content (RFC 1952).
 bool holds(const std::string& gzip, std::uint32_t sum, std::size_t size) {
@@ -127,13 +117,17 @@ WebFiles read_web_files(const std::string& folder, WebFolder depth, std::size_t 
     const bool is_packed = it->path().extension() == ".gz";
     const std::string_view type = type_of(is_packed ? it->path().stem() : it->path());
     if (type.empty() || it->is_symlink() || !it->is_regular_file()) continue;
-    auto bytes = std::make_shared<const std::string>(content_of(*it));
-    total += bytes->size();
+    std::error_code ec;
+    const std::uintmax_t size = it->file_size(ec);
+    if (ec) continue;
+    total += size;
     if (total > max_bytes) {
       files.by_path.clear();
       files.too_large = true;
       return files;
     }
+    auto bytes =
+        std::make_shared<const std::string>(read_regular_file(it->path().string(), max_bytes).text);
     std::string path = "/" + it->path().lexically_relative(folder).generic_string();
     if (is_packed) {
       packed.emplace(path.substr(0, path.size() - 3), std::move(bytes));

@@ -15,7 +15,7 @@ asio::ip::tcp::acceptor open_acceptor(asio::io_context& context, const HubSettin
   const asio::ip::address address = asio::ip::make_address(settings.address, ec);
   if (ec) throw std::runtime_error("cannot listen on " + where + ": that is no address");
   if (!address.is_loopback()) {
-    const std::string port = std::to_string(settings.port);
+    const std::string port = settings.port == 0 ? "PORT" : std::to_string(settings.port);
     throw std::runtime_error("refused to listen on " + where +
                              ": other machines would reach it without TLS and token; from another "
                              "machine use ssh -L " +
