@@ -44,10 +44,11 @@ struct LineSocket::Impl {
       finished = {error, bytes};
     });
     io.restart();
-    io.poll();
+    io.run_until(deadline);
     if (!done) {
+      // What is ready although the deadline has passed.
       io.restart();
-      io.run_until(deadline);
+      io.poll();
     }
     if (!done) {
       error_code ignored;

@@ -94,12 +94,16 @@ model::ThermalMeasurement Controller::measurement() const noexcept {
 
 Reason Controller::update_estimate(double dt_s) noexcept {
   const model::ThermalMeasurement m = measurement();
-  if (!observing_) {
+  const bool starts = !observing_;
+  if (starts) {
     if (!watchdog_.sensor().usable()) return Reason::kNone;
     start_observer(sensor_c());
   }
   observer_.step(m, dt_s);
-  skin_.step(model::SkinInputs::of(settings_.thermal, observer_.filter(), m.fan_running), dt_s);
+  // The filter changes at the end of a window only.
+  if (starts || observer_.window_ended())
+    skin_.set(model::SkinInputs::of(settings_.thermal, observer_.filter(), m.fan_running));
+  skin_.step(dt_s);
   const Reason found = estimate_.step(observer_, watchdog_.supply(), limits_.trip_c, dt_s);
   return states_.armed() || found == Reason::kOverheated ? found : Reason::kNone;
 }

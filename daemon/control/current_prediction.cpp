@@ -51,6 +51,7 @@ void CurrentPrediction::drive(const Vec3& voltage, Tick ticks,
 // overshoot.
 void CurrentPrediction::sleep(Tick ticks, const WindingCircuit& circuit) noexcept {
   for (int coil = 0; coil < model::kCoils; ++coil) {
+    if (a_[coil] == 0.0) continue;
     const double r = circuit.resistance_ohm[static_cast<std::size_t>(coil)];
     const double opposed_a = std::copysign(kFreewheelV / r, -a_[coil]);
     const double after_a = advanced(a_[coil], opposed_a, r, ticks, circuit.inductance_h);

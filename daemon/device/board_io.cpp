@@ -26,10 +26,9 @@ BoardCommand BoardCommand::drive(const model::LimitedCurrents& currents,
   for (int k = 0; k < model::kCoils; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const double wanted = currents.a()[k];
-    const double exponent = -resistance_ohm[i] * model::kTickSeconds / inductance_h;
+    const double keep = std::exp(-resistance_ohm[i] * model::kTickSeconds / inductance_h);
     const double holding_v = resistance_ohm[i] * wanted;
-    const double first_v =
-        resistance_ohm[i] * (wanted - now_a[k] * std::exp(exponent)) / -std::expm1(exponent);
+    const double first_v = resistance_ohm[i] * (wanted - now_a[k] * keep) / (1.0 - keep);
     if (!std::isfinite(holding_v) || !std::isfinite(first_v)) return {};
     const int holding = q15(holding_v, supply_v);
     const int boost = std::clamp(q15(first_v, supply_v) - holding, -kFull, kFull);

@@ -59,14 +59,26 @@ SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalFilter& filt
 }
 
 void SkinEstimate::step(const SkinInputs& in, double dt_s) noexcept {
-  const double goal_c = settled_skin_c(in.nodes.core_c, in.ambient_c);
-  if (!started_) following_c_ = goal_c;
-  started_ = true;
-  following_c_ += (goal_c - following_c_) * -std::expm1(-dt_s / kSkinLagS);
-  const double forecast_c = settled_skin_c(
-      forecast_core_c(thermal_, in.nodes, in.ambient_c, in.to_ambient_k_w), in.ambient_c);
-  forecast_rise_k_ = std::max(0.0, forecast_c - following_c_);
+  set(in);
+  step(dt_s);
+}
+
+void SkinEstimate::set(const SkinInputs& in) noexcept {
+  goal_c_ = settled_skin_c(in.nodes.core_c, in.ambient_c);
+  forecast_c_ = settled_skin_c(forecast_core_c(thermal_, in.nodes, in.ambient_c, in.to_ambient_k_w),
+                               in.ambient_c);
   margin_k_ = std::clamp(kDeviations * in.deviation_k, kMinMarginK, kMaxMarginK);
+  if (!started_) following_c_ = goal_c_;
+  started_ = true;
+}
+
+void SkinEstimate::step(double dt_s) noexcept {
+  if (dt_s != step_s_) {
+    step_s_ = dt_s;
+    step_share_ = -std::expm1(-dt_s / kSkinLagS);
+  }
+  following_c_ += (goal_c_ - following_c_) * step_share_;
+  forecast_rise_k_ = std::max(0.0, forecast_c_ - following_c_);
   bound_c_ = heated_c() + margin_k_;
 }
 

@@ -57,6 +57,9 @@ class SkinEstimate {
 
   /// Advances by `dt_s` (any step). The first call starts from a settled skin.
   void step(const SkinInputs& in, double dt_s) noexcept;
+  /// The same in two parts, for inputs that change more seldom than the step: takes them, advances.
+  void set(const SkinInputs& in) noexcept;
+  void step(double dt_s) noexcept;
 
   /// Upper bound of the skin temperature, now or later due to heat already in the ball, C. Infinite
   /// before the first step; NaN if an input was NaN.
@@ -71,6 +74,12 @@ class SkinEstimate {
 
  private:
   ThermalModel thermal_;
+  /// Of the inputs: steady-state skin temperature now, and at the core's maximum, C.
+  double goal_c_ = 25.0;
+  double forecast_c_ = 25.0;
+  /// Share of the way to the goal that a step of `step_s_` takes.
+  double step_s_ = 0.0;
+  double step_share_ = 0.0;
   bool started_ = false;
   double following_c_ = 25.0;
   double bound_c_ = std::numeric_limits<double>::infinity();

@@ -24,14 +24,8 @@ constexpr double kThermistorMarginK = 0.5;
 constexpr double kSingleThermistorMarginK = 0.5;
 constexpr double kUnsignedCurrentMarginK = 3.0;
 
-// Two filters on the thermistor; their difference is its slope, which gives the 2 s lead.
-constexpr double kSensorFastS = 0.25;
-constexpr double kSensorSlowS = 1.0;
-constexpr double kSensorLeadS = 2.0;
 // Maximum excess of the lead over the filter's estimate of its winding.
 constexpr double kMaxLeadK = 4.0;
-// Hold time of the thermistor's last value; then the ball counts as hot.
-constexpr double kSensorHoldS = 0.1;
 
 // After a start from unknown temperatures the filter's bound is capped for kSettlingS at a value
 // that still allows 5 A, so that V/I can be measured.
@@ -87,9 +81,10 @@ ThermalObserver::ThermalObserver(const CoilModel& coils, const ThermalModel& the
     if (start.at_rest()) thermometer_[i].start_rested();
   }
   const double at = start.nodes.winding_c[static_cast<std::size_t>(thermal.sensor_winding)];
-  sensor_fast_c_ = sensor_slow_c_ = at;
+  sensor_ = ThermistorLead(at);
   estimate_.sensor_lead_c = at;
   estimate_.measured = start.measured;
+  take_from_filter();
   bound();
 }
 
@@ -147,7 +142,7 @@ void ThermalObserver::follow_currents(const ThermalMeasurement& m, double dt_s) 
 
 double ThermalObserver::resistance_ohm(int coil) const noexcept {
   const WindingThermometer& thermometer = thermometer_[static_cast<std::size_t>(coil)];
-  const double expected = filter_.resistance_ohm(coil);
+  const double expected = expected_ohm_[static_cast<std::size_t>(coil)];
   if (!thermometer.measuring()) return expected;
   return std::clamp(thermometer.meter().resistance_ohm(), expected / kMaxResistanceRatio,
                     expected * kMaxResistanceRatio);
@@ -164,18 +159,8 @@ void ThermalObserver::follow_thermistors(const ThermistorReadings& thermistors,
     window_.thermistor_sum[i] += thermistors.celsius[i];
   }
   const auto own = static_cast<std::size_t>(thermal_.sensor_winding);
-  if (!thermistors_.valid[own]) {
-    sensor_silent_s_ += dt_s;
-    return;
-  }
-  const double shown_c = thermistors_.celsius[own];
-  if (!sensor_seen_ || sensor_silent_s_ > kSensorHoldS) sensor_fast_c_ = sensor_slow_c_ = shown_c;
-  sensor_seen_ = true;
-  sensor_silent_s_ = 0.0;
-  sensor_fast_c_ += (shown_c - sensor_fast_c_) * std::min(1.0, dt_s / kSensorFastS);
-  sensor_slow_c_ += (sensor_fast_c_ - sensor_slow_c_) * std::min(1.0, dt_s / kSensorSlowS);
-  const double slope_k_s = (sensor_fast_c_ - sensor_slow_c_) / kSensorSlowS;
-  estimate_.sensor_lead_c = sensor_fast_c_ + (kSensorLeadS + kSensorFastS) * slope_k_s;
+  sensor_.step(thermistors_.valid[own], thermistors_.celsius[own], dt_s);
+  estimate_.sensor_lead_c = sensor_.celsius();
 }
 
 void ThermalObserver::end_window(bool fan_running) noexcept {
@@ -200,6 +185,18 @@ void ThermalObserver::end_window(bool fan_running) noexcept {
       fall_[i].add(innovations_[i].resistance.deviations, mean.count() == kCoils);
   }
   window_ = Window{};
+  take_from_filter();
+}
+
+// Once per window: these take exponentials and roots.
+void ThermalObserver::take_from_filter() noexcept {
+  estimate_.nodes = filter_.nodes();
+  estimate_.ambient_c = filter_.ambient_c();
+  for (int coil = 0; coil < kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    expected_ohm_[i] = filter_.resistance_ohm(coil);
+    estimate_.deviation_k[i] = filter_.winding_deviation_k(coil);
+  }
 }
 
 void ThermalObserver::correct_winding(int coil) noexcept {
@@ -221,7 +218,8 @@ void ThermalObserver::correct_winding(int coil) noexcept {
 }
 
 double ThermalObserver::likely_c(int coil) const noexcept {
-  return filter_.winding_c(coil) + std::min(kLikelyDeviationsK, filter_.winding_deviation_k(coil));
+  const double deviation_k = estimate_.deviation_k[static_cast<std::size_t>(coil)];
+  return filter_.winding_c(coil) + std::min(kLikelyDeviationsK, deviation_k);
 }
 
 double ThermalObserver::margin_k(int coil) const noexcept {
@@ -233,8 +231,8 @@ double ThermalObserver::margin_k(int coil) const noexcept {
 // While the start temperatures are only a guess, their uncertainty alone must not prevent V/I
 // measurements.
 double ThermalObserver::bound_by_filter(int coil) const noexcept {
-  const double bound_c = filter_.winding_c(coil) +
-                         kBoundDeviations * filter_.winding_deviation_k(coil) + margin_k(coil);
+  const double deviation_k = estimate_.deviation_k[static_cast<std::size_t>(coil)];
+  const double bound_c = filter_.winding_c(coil) + kBoundDeviations * deviation_k + margin_k(coil);
   const bool probing = settling() && likely_c(coil) < kProbingC;
   return probing ? std::min(bound_c, kProbingC) : bound_c;
 }
@@ -270,16 +268,13 @@ double ThermalObserver::supply_error_k(int coil) const noexcept {
 }
 
 void ThermalObserver::bound() noexcept {
-  estimate_.nodes = filter_.nodes();
-  estimate_.ambient_c = filter_.ambient_c();
   const int own = thermal_.sensor_winding;
-  const double shown_c = sensor_fast_c_ + kThermistorMarginK;
+  const double shown_c = sensor_.smooth_c() + kThermistorMarginK;
   double hottest = std::clamp(estimate_.sensor_lead_c + kThermistorMarginK, shown_c,
                               std::max(shown_c, filter_.winding_c(own) + kMaxLeadK));
   double likely = -std::numeric_limits<double>::infinity();
   for (int coil = 0; coil < kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);
-    estimate_.deviation_k[i] = filter_.winding_deviation_k(coil);
     const double floor_c =
         std::max(floor_.winding_c(coil) + kFloorMarginK, floor_by_resistance(coil));
     estimate_.upper_c[i] = std::max(bound_by_filter(coil), floor_c + margin_k(coil));
@@ -290,7 +285,7 @@ void ThermalObserver::bound() noexcept {
     likely = std::max(likely, likely_c(coil));
   }
   estimate_.likely_c = likely;
-  if (sensor_silent_s_ > kSensorHoldS) hottest = std::numeric_limits<double>::infinity();
+  if (sensor_.lost()) hottest = std::numeric_limits<double>::infinity();
   estimate_.hottest_c = hottest;
 }
 

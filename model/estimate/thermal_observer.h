@@ -11,6 +11,7 @@
 #include "model/estimate/energy_floor.h"
 #include "model/estimate/resistance_fall.h"
 #include "model/estimate/thermal_filter.h"
+#include "model/estimate/thermistor_lead.h"
 #include "model/estimate/winding_thermometer.h"
 #include "model/thermal/thermal_flow.h"
 #include "model/thermal/thermal_model.h"
@@ -143,6 +144,7 @@ class ThermalObserver {
   void follow_currents(const ThermalMeasurement& measurement, double dt_s) noexcept;
   void follow_thermistors(const ThermistorReadings& thermistors, double dt_s) noexcept;
   void end_window(bool fan_running) noexcept;
+  void take_from_filter() noexcept;
   void correct_winding(int coil) noexcept;
   double margin_k(int coil) const noexcept;
   void bound() noexcept;
@@ -157,6 +159,8 @@ class ThermalObserver {
   ThermalModel thermal_;
   ThermalEstimate estimate_;
   ThermalFilter filter_;
+  /// The filter's resistances: they, too, change at the end of a window only.
+  std::array<double, kCoils> expected_ohm_{};
   EnergyFloor floor_;
   std::array<WindingThermometer, kCoils> thermometer_{};
   CurrentAccuracy accuracy_;
@@ -173,10 +177,7 @@ class ThermalObserver {
   /// No-load supply voltage: low-pass filtered, and at each winding's last reference, V.
   double supply_v_ = 0.0;
   std::array<double, kCoils> reference_supply_v_{};
-  double sensor_fast_c_ = 25.0;
-  double sensor_slow_c_ = 25.0;
-  double sensor_silent_s_ = 0.0;
-  bool sensor_seen_ = false;
+  ThermistorLead sensor_;
 };
 
 }  // namespace hedgehog::model

@@ -98,6 +98,25 @@ TEST(SkinEstimate, StartsAsWarmAsTheCoreMakesIt) {
   EXPECT_NEAR(skin.following_c(), 25.0 + 0.7 * 25.0, 1e-9);
 }
 
+RC_GTEST_PROP(SkinEstimate, InTwoPartsWithSeldomInputsIsTheSameAsInEachStep, ()) {
+  SkinEstimate at_once{ThermalModel{}};
+  SkinEstimate in_parts{ThermalModel{}};
+  for (int window = 0; window < 5; ++window) {
+    SkinInputs in;
+    in.nodes.core_c = *between(20.0, 60.0);
+    in.nodes.winding_c.fill(*between(20.0, 80.0));
+    in.deviation_k = *between(0.0, 5.0);
+    in_parts.set(in);
+    for (int i = 0; i < 50; ++i) {
+      const double dt_s = *rc::gen::element(1e-3, 2e-3, 2e-2);
+      at_once.step(in, dt_s);
+      in_parts.step(dt_s);
+      RC_ASSERT(in_parts.celsius() == at_once.celsius());
+      RC_ASSERT(in_parts.following_c() == at_once.following_c());
+    }
+  }
+}
+
 TEST(SkinEstimate, IsHigherForALessCertainEstimateWithinLimits) {
   SkinInputs in;
   for (const auto& [deviation_k, margin_k] :

@@ -222,5 +222,23 @@ TEST(HeatLoop, AfterARestartAHotWindingIsFoundBeforeItIsDrivenHard) {
   EXPECT_LT(loop.hottest_ever_c, 67.5);
 }
 
+TEST(ThermalObserver, ItsEstimateIsThatOfItsFilterAtEachTick) {
+  ThermalLoop loop(random_plant(3), 25.0);
+  for (int tick = 0; tick < 1000; ++tick) {
+    loop.tick({9, 3, 0});
+    const ThermalEstimate& estimate = loop.observer.estimate();
+    const ThermalFilter& filter = loop.observer.filter();
+    ASSERT_EQ(estimate.nodes.winding_c, filter.nodes().winding_c) << tick;
+    ASSERT_EQ(estimate.ambient_c, filter.ambient_c()) << tick;
+    for (int coil = 0; coil < kCoils; ++coil) {
+      const auto i = static_cast<std::size_t>(coil);
+      ASSERT_EQ(estimate.deviation_k[i], filter.winding_deviation_k(coil)) << tick;
+    }
+    // without current only the filter knows its resistance; a loss is computed before a window ends
+    if (!loop.observer.window_ended())
+      ASSERT_EQ(estimate.resistance_ohm[2], filter.resistance_ohm(2)) << tick;
+  }
+}
+
 }  // namespace
 }  // namespace hedgehog::model

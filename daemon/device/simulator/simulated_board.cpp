@@ -48,7 +48,7 @@ SimulatedBoard::SimulatedBoard(const SimulatedBoardOptions& options) noexcept
   const double start = options.start_c;
   plant_.set_heat({{start, start, start}, start});
   settings_.ambient_c = options.ambient_c;
-  shown_c_.fill(start);
+  for (int k = 0; k < model::kCoils; ++k) show(k, start);
 }
 
 void SimulatedBoard::receive(std::span<const std::uint8_t> packet) noexcept {
@@ -189,15 +189,21 @@ void SimulatedBoard::convert_thermistors(const Analogue& analogue) noexcept {
   for (int k = 0; k < built_.wiring.thermistors; ++k) {
     const bool broken = k == broken_thermistor();
     if (broken && has(kSimSensorFrozen)) continue;
-    double& shown = shown_c_[static_cast<std::size_t>(k)];
-    shown = front_end_.thermistor_c(analogue, winding_under(k));
-    if (broken) shown += offset_k_ + (has(kSimSensorJump) ? kJumpK : 0.0);
+    double celsius = front_end_.thermistor_c(analogue, winding_under(k));
+    if (broken) celsius += offset_k_ + (has(kSimSensorJump) ? kJumpK : 0.0);
+    show(k, celsius);
   }
+}
+
+void SimulatedBoard::show(int thermistor, double celsius) noexcept {
+  const auto i = static_cast<std::size_t>(thermistor);
+  shown_c_[i] = celsius;
+  shown_adc_[i] = front_end_.ntc_adc(celsius);
 }
 
 void SimulatedBoard::wire_thermistors() noexcept {
   for (int k = 0; k < built_.wiring.thermistors; ++k)
-    raw_.ntc_adc[k] = front_end_.ntc_adc(shown_c_[static_cast<std::size_t>(k)]);
+    raw_.ntc_adc[k] = shown_adc_[static_cast<std::size_t>(k)];
   std::uint16_t& broken = raw_.ntc_adc[broken_thermistor()];
   if (has(kSimSensorOpen)) broken = built_.wiring.adc_full;
   if (has(kSimSensorShort)) broken = 0;

@@ -76,6 +76,7 @@ class SimulatedBoard {
   Analogue analogue() const noexcept;
   board::BoardInputs measure_exactly(const Analogue& analogue) noexcept;
   void convert_thermistors(const Analogue& analogue) noexcept;
+  void show(int thermistor, double celsius) noexcept;
   void wire_thermistors() noexcept;
   /// The thermistor affected by the thermistor faults, and the winding of a thermistor.
   int broken_thermistor() const noexcept;
@@ -106,6 +107,7 @@ class SimulatedBoard {
   int boot_loader_ms_ = 0;
   /// Reading of each thermistor at its last conversion, C.
   std::array<double, model::kCoils> shown_c_{25.0, 25.0, 25.0};
+  std::array<std::uint16_t, model::kCoils> shown_adc_{};
   std::uint32_t supply_ms_ = 0;
 };
 
