@@ -57,7 +57,8 @@ class SkinEstimate {
 
   /// Advances by `dt_s` (any step). The first call starts from a settled skin.
   void step(const SkinInputs& in, double dt_s) noexcept;
-  /// The same in two parts, for inputs that change more seldom than the step: takes them, advances.
+  /// The same in two parts, for inputs that change more seldom than the step: `set` takes them,
+  /// `step` advances. Until the first `set` the bound stays infinite.
   void set(const SkinInputs& in) noexcept;
   void step(double dt_s) noexcept;
 
@@ -76,7 +77,7 @@ class SkinEstimate {
   ThermalModel thermal_;
   /// Of the inputs: steady-state skin temperature now, and at the core's maximum, C.
   double goal_c_ = 25.0;
-  double forecast_c_ = 25.0;
+  double forecast_c_ = std::numeric_limits<double>::infinity();
   /// Share of the way to the goal that a step of `step_s_` takes.
   double step_s_ = 0.0;
   double step_share_ = 0.0;

@@ -85,6 +85,8 @@ RC_GTEST_PROP(SkinEstimate, IsNeverBelowTheSkinOfAPlantThatMatches, ()) {
 TEST(SkinEstimate, OfAColdBallIsTheAmbientAndTheMinimumMargin) {
   SkinEstimate skin{ThermalModel{}};
   EXPECT_EQ(skin.celsius(), std::numeric_limits<double>::infinity()) << "nothing is known yet";
+  skin.step(1e-3);
+  EXPECT_EQ(skin.celsius(), std::numeric_limits<double>::infinity()) << "no inputs are known yet";
   skin.step({}, 1e-3);
   EXPECT_NEAR(skin.celsius(), 25.0 + SkinEstimate::kMinMarginK, 1e-9);
   EXPECT_EQ(skin.forecast_rise_k(), 0.0);

@@ -61,8 +61,7 @@ class Live(unittest.TestCase):
             started = next(event for event in events if event["type"] == "effect_started")
             ended = next(event for event in events if event["type"] == "effect_ended" and event["effect"] == started["effect"])
         self.assertIn("'coils': [", printed)
-        # On a slow machine the program may live longer than its pulse.
-        self.assertIn(ended["reason"], ("disconnected", "completed"))
+        self.assertIn(ended["reason"], ("disconnected", "completed"), "on a slow machine it may live longer than its pulse")
 
     def test_a_pulse_is_played_and_ends(self):
         with hedgehog.Ball(self.address, timeout_s=60) as ball:

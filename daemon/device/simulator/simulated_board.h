@@ -76,6 +76,7 @@ class SimulatedBoard {
   Analogue analogue() const noexcept;
   board::BoardInputs measure_exactly(const Analogue& analogue) noexcept;
   void convert_thermistors(const Analogue& analogue) noexcept;
+  /// Sets the reading of `thermistor`, as temperature and as the converter's counts.
   void show(int thermistor, double celsius) noexcept;
   void wire_thermistors() noexcept;
   /// The thermistor affected by the thermistor faults, and the winding of a thermistor.
@@ -105,7 +106,7 @@ class SimulatedBoard {
   double offset_k_ = 0.0;
   int until_conversion_ = 0;
   int boot_loader_ms_ = 0;
-  /// Reading of each thermistor at its last conversion, C.
+  /// Reading of each thermistor at its last conversion, C, and the converter's counts for it.
   std::array<double, model::kCoils> shown_c_{25.0, 25.0, 25.0};
   std::array<std::uint16_t, model::kCoils> shown_adc_{};
   std::uint32_t supply_ms_ = 0;
