@@ -8,15 +8,13 @@
 #include "firmware/flash_id.h"
 #include "firmware/pico_port.h"
 #include "firmware/pico_wiring.h"
-#include "firmware/registers.h"
+#include "firmware/sleep.h"
 #include "firmware/tick.h"
 #include "firmware/usb/descriptors.h"
 #include "firmware/watchdog.h"
 
 namespace hedgehog::firmware {
 namespace {
-
-constexpr uint32_t kWakeups = kTimerInterrupt | kUsbInterrupt | kPinInterrupt;
 
 // Not on the stack, whose depth is that of the calls.
 constinit board::BoardCore core{board::reference_limits()};
@@ -28,14 +26,15 @@ void start_usb_serial() noexcept {
   set_serial(serial);
 }
 
-/// Until the next millisecond. Interrupts are masked: one that is pending ends the sleep (ARMv6-M
-/// Architecture Reference Manual, WFI), also one that came between the question and the sleep.
-void wait_for(Tick& tick) noexcept {
+/// Asleep, but for what comes meanwhile, until `due()`.
+template <class Due>
+void wait_until(Due due) noexcept {
+  const Wakeups any(kTimerInterrupt | kUsbInterrupt | kPinInterrupt);
   for (;;) {
-    reg(kNvicClearPending) = kWakeups;
+    any.clear();
     port.poll();
-    if (tick.take()) return;
-    asm volatile("wfi");
+    if (due()) return;
+    any.sleep();
   }
 }
 
@@ -49,13 +48,13 @@ extern "C" [[noreturn]] void board_main() {
   start_watchdog();
   start_usb_serial();
   port.start();
-  reg(kNvicEnable) = kWakeups;
   Tick tick;
   tick.start();
   constexpr board::Wiring kWiring = pico_wiring();
   for (;;) {
-    wait_for(tick);
+    wait_until([&tick] { return tick.take_measurement(); });
     port.convert();
+    wait_until([&tick] { return tick.take(); });
     board::board_millisecond(core, kWiring, port);
     if (core.boot_loader_due()) enter_boot_loader();
     if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us(), core.outputs().awake);

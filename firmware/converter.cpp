@@ -3,6 +3,7 @@
 
 #include "firmware/pins.h"
 #include "firmware/registers.h"
+#include "firmware/sampling_point.h"
 
 namespace hedgehog::firmware {
 namespace {
@@ -50,7 +51,18 @@ void start_converter() noexcept {
   reg(kControl1) = 1u << 1;
 }
 
-void Converter::measure(board::RawInputs& raw) noexcept {
+void Converter::measure(uint32_t winding, board::RawInputs& raw) noexcept {
+  wait_for_sampling_point();
+  raw.current_adc[winding] = convert(kCurrentInput + winding);
+  if (winding == 0)
+    measure_thermistor(raw);
+  else if (winding == 1)
+    raw.supply_adc = convert(kSupplyInput);
+  else
+    raw.shunt_adc = convert(kShuntInput);
+}
+
+void Converter::measure_thermistor(board::RawInputs& raw) noexcept {
   ntc_adc_[turn_] = convert(kNtcInput + turn_);
   turn_ = turn_ == 2 ? 0 : turn_ + 1;
   raw.ntc_converted = turn_ == 0;
@@ -60,9 +72,6 @@ void Converter::measure(board::RawInputs& raw) noexcept {
     // looked at is neither open nor short.
     raw.ntc_adc[k] = complete_ || k < turn_ ? ntc_adc_[k] : ntc_adc_[0];
   }
-  raw.supply_adc = convert(kSupplyInput);
-  raw.shunt_adc = convert(kShuntInput);
-  for (uint32_t k = 0; k < board::kWindings; ++k) raw.current_adc[k] = convert(kCurrentInput + k);
 }
 
 }  // namespace hedgehog::firmware

@@ -11,14 +11,18 @@ namespace hedgehog::firmware {
 /// REQUIRES: pins and clocks run.
 void start_converter() noexcept;
 
-/// One of the thermistors in turn, the supply, its current, then the currents of the windings one
-/// after the other, so that they are as young as `Wiring::converted_before_us` takes them to be.
-/// Six conversions, 125 us. The thermistors are complete in each third call.
+/// The eight inputs in each millisecond; of the thermistors one, in turn.
 class Converter {
  public:
-  void measure(board::RawInputs& raw) noexcept;
+  /// Sleeps until the sampling point of `winding`, converts its current, then one of the others.
+  /// Call it for 0, 1, 2, in three periods of the PWM: 195 us in all at most, the wait for the
+  /// first period included. A conversion takes 20 us, so that two and 9 us of other work fit in a
+  /// period.
+  void measure(uint32_t winding, board::RawInputs& raw) noexcept;
 
  private:
+  void measure_thermistor(board::RawInputs& raw) noexcept;
+
   uint16_t ntc_adc_[board::kWindings] = {};
   uint32_t turn_ = 0;
   bool complete_ = false;

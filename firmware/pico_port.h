@@ -28,13 +28,15 @@ class PicoPort {
     tach_.poll();
   }
 
-  /// The slow part of `measure`, before the host's packets are taken: what has come by its end
-  /// still counts in this millisecond.
+  /// The slow part of `measure`, before the host's packets are taken.
   void convert() noexcept {
     raw_.faults_low = faults_low();
     raw_.tach_period_us = tach_.period_us();
-    converter_.measure(raw_);
-    poll();
+    for (uint32_t k = 0; k < board::kWindings; ++k) {
+      // An edge is known as exactly as it is looked for.
+      tach_.poll();
+      converter_.measure(k, raw_);
+    }
   }
 
   size_t receive(uint8_t* packet, size_t capacity) noexcept {

@@ -10,8 +10,9 @@
 
 namespace hedgehog::firmware {
 
-/// 125 MHz / 6250 = 20 kHz for the bridges, / 5000 = 25 kHz for the fan.
-inline constexpr uint16_t kPwmTop = 6249;
+/// 125 MHz / 6250 = 20 kHz for the bridges, up to the top and back; / 5000 = 25 kHz for the fan.
+inline constexpr uint32_t kPwmPeriod = 6250;
+inline constexpr uint16_t kPwmTop = kPwmPeriod / 2 - 1;
 inline constexpr uint16_t kFanTop = 4999;
 
 constexpr board::Wiring pico_wiring() noexcept {

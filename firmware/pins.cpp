@@ -3,6 +3,7 @@
 
 #include "firmware/pico_wiring.h"
 #include "firmware/registers.h"
+#include "firmware/sampling_point.h"
 
 namespace hedgehog::firmware {
 namespace {
@@ -26,13 +27,10 @@ constexpr uint32_t kDrive12Ma = 3u << 4;
 constexpr uint32_t kPullUp = 1u << 3;
 constexpr uint32_t kPullDown = 1u << 2;
 
-// 4.5.3
-constexpr uint32_t slice(uint32_t number) noexcept { return kPwm + 0x14 * number; }
-constexpr uint32_t kCounter = 0x08;
-constexpr uint32_t kCompare = 0x0C;
-constexpr uint32_t kTop = 0x10;
-constexpr uint32_t kEnableSlices = kPwm + 0xA0;
-constexpr uint32_t kWraps = kPwm + 0xA4;
+/// Counts up to the wrap value and back, a period of twice its cycles. The on-time is centred on
+/// the counter's return to 0, whatever the compare value (4.5.2.1).
+constexpr uint32_t kPhaseCorrect = 1u << 1;
+/// Windings x and y, winding z.
 constexpr uint32_t kBridgeSlices = (1u << 0) | (1u << 1);
 constexpr uint32_t kFanSlice = 5;
 
@@ -45,24 +43,25 @@ void connect(uint32_t pin, uint32_t function, uint32_t pull, uint32_t drive = kD
 }
 
 void set_compare(const uint16_t (&pwm)[board::kWindings]) noexcept {
-  reg(slice(0) + kCompare) = pwm[0] | (uint32_t{pwm[1]} << 16);
-  reg(slice(1) + kCompare) = pwm[2];
+  reg(pwm_slice(0) + kPwmCompare) = pwm[0] | (uint32_t{pwm[1]} << 16);
+  reg(pwm_slice(1) + kPwmCompare) = pwm[2];
 }
 
 /// From here on the flags show the end of this period, and the compare values are written within
-/// it: not in its last half microsecond.
+/// it: not in its last half microsecond, nor in the first, which the counter does not tell from it.
 void begin_turn() noexcept {
-  constexpr uint32_t kLastCount = kPwmTop - 64;
+  constexpr uint32_t kNearWrap = 64;
   const uint32_t begin = now_us();
-  while (reg(slice(0) + kCounter) >= kLastCount && now_us() - begin < kMaxTurnUs) {
+  while (reg(pwm_slice(0) + kPwmCounter) <= kNearWrap && now_us() - begin < kMaxTurnUs) {
   }
-  reg(kWraps) = kBridgeSlices;
+  reg(kPwmWraps) = kBridgeSlices;
 }
 
-/// The compare values count from the end of the period on (4.5.2.3).
+/// The compare values count from the end of the period on, where the counter is back at 0
+/// (4.5.2.3).
 void wait_for_wrap() noexcept {
   const uint32_t begin = now_us();
-  while ((reg(kWraps) & kBridgeSlices) != kBridgeSlices && now_us() - begin < kMaxTurnUs) {
+  while ((reg(kPwmWraps) & kBridgeSlices) != kBridgeSlices && now_us() - begin < kMaxTurnUs) {
   }
 }
 
@@ -92,13 +91,15 @@ void start_pins() noexcept {
   reg(kEnableOutputs) =
       kDirBits | bit(kSleepPin) | bit(kSupplySwitchPin) | bit(kSpiSelectPin) | bit(kLedPin);
   for (uint32_t k = 0; k < 2; ++k) {
-    reg(slice(k) + kTop) = kPwmTop;
-    reg(slice(k) + kCompare) = 0;
+    reg(pwm_slice(k) + kPwmControl) = kPhaseCorrect;
+    reg(pwm_slice(k) + kPwmWrapValue) = kPwmTop;
+    reg(pwm_slice(k) + kPwmCompare) = 0;
   }
-  reg(slice(kFanSlice) + kTop) = kFanTop;
-  reg(slice(kFanSlice) + kCompare) = kFanTop;
+  prepare_sampling_points();
+  reg(pwm_slice(kFanSlice) + kPwmWrapValue) = kFanTop;
+  reg(pwm_slice(kFanSlice) + kPwmCompare) = kFanTop;
   // At once, so that the bridges' periods begin together.
-  reg(kEnableSlices) = kBridgeSlices | (1u << kFanSlice);
+  reg(kPwmEnabled) = kBridgeSlices | (1u << kSamplingSlice) | (1u << kFanSlice);
   for (uint32_t k = 0; k < board::kWindings; ++k) connect(kPwmPin + k, kFunctionPwm, kPullDown);
   connect(kFanPin, kFunctionPwm, 0);
 }
@@ -120,7 +121,7 @@ void set_pins(const board::PinOutputs& pins) noexcept {
   write_output(kSupplySwitchPin, pins.supply_switch_closed);
   if (pins.awake) write_output(kSleepPin, true);
   write_output(kLedPin, pins.awake);
-  reg(slice(kFanSlice) + kCompare) = pins.fan_pwm;
+  reg(pwm_slice(kFanSlice) + kPwmCompare) = pins.fan_pwm;
 }
 
 void set_safe_pins() noexcept {

@@ -28,13 +28,25 @@ inline constexpr uint32_t kUsbMemory = 0x50100000;
 inline constexpr uint32_t kUsb = 0x50110000;
 inline constexpr uint32_t kSio = 0xD0000000;
 inline constexpr uint32_t kNvicEnable = 0xE000E100;
+inline constexpr uint32_t kNvicDisable = 0xE000E180;
 inline constexpr uint32_t kNvicClearPending = 0xE000E280;
 inline constexpr uint32_t kVectorTable = 0xE000ED08;
 
 // 2.3.2: interrupt numbers.
 inline constexpr uint32_t kTimerInterrupt = 1u << 0;
+inline constexpr uint32_t kPwmInterrupt = 1u << 4;
 inline constexpr uint32_t kUsbInterrupt = 1u << 5;
 inline constexpr uint32_t kPinInterrupt = 1u << 13;
+
+// 4.5.3: the slices of the PWM.
+constexpr uint32_t pwm_slice(uint32_t number) noexcept { return kPwm + 0x14 * number; }
+inline constexpr uint32_t kPwmControl = 0x00;
+inline constexpr uint32_t kPwmCounter = 0x08;
+inline constexpr uint32_t kPwmCompare = 0x0C;
+inline constexpr uint32_t kPwmWrapValue = 0x10;
+inline constexpr uint32_t kPwmEnabled = kPwm + 0xA0;
+inline constexpr uint32_t kPwmWraps = kPwm + 0xA4;
+inline constexpr uint32_t kPwmWrapInterrupts = kPwm + 0xA8;
 
 inline volatile uint32_t& reg(uint32_t address) noexcept {
   return *reinterpret_cast<volatile uint32_t*>(address);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The millisecond, by alarm 0 of the timer (data sheet 4.6). Interrupts stay masked: an alarm only
-// ends the sleep of the main loop.
+// The millisecond, by alarm 0 of the timer (data sheet 4.6): the measurement, then, at a time that
+// does not depend on its sampling points, the rules and what they set. Interrupts stay masked: an
+// alarm only ends the sleep of the main loop.
 //
 // Its phase follows the host's set-points, each of which otherwise waited up to a millisecond and
 // then for the work: now it waits for `kWaitUs`, give or take what the host is late or early by.
@@ -14,13 +15,20 @@ class Tick {
  public:
   void start() noexcept {
     reg(kTimer + 0x38) = 1;
-    next_us_ = now_us() + kPeriodUs;
-    reg(kTimer + 0x10) = next_us_;
+    set_next(now_us() + kPeriodUs);
   }
 
-  /// True once a millisecond; one that was missed is made up for at once.
+  /// True once the measurement of the next millisecond is due. Call it, then `take`, until each is
+  /// true; what was missed is made up for at once.
+  bool take_measurement() noexcept {
+    if (!is_past(next_us_ - kMeasureUs)) return false;
+    set_alarm(next_us_);
+    return true;
+  }
+
+  /// True once a millisecond: its rules are due.
   bool take() noexcept {
-    if (static_cast<int32_t>(now_us() - next_us_) < 0) return false;
+    if (!is_past(next_us_)) return false;
     began_us_ = next_us_;
     if (ticks_since_join_ < kJoinEvery) ++ticks_since_join_;
     set_next(next_us_ + kPeriodUs);
@@ -50,8 +58,10 @@ class Tick {
 
  private:
   static constexpr uint32_t kPeriodUs = 1000;
-  /// With conversions and work of at most 350 us after it, as much is left before as behind.
-  static constexpr uint32_t kWaitUs = 250;
+  /// The sampling points of the windings, wherever the PWM's periods begin: `Converter::measure`.
+  static constexpr uint32_t kMeasureUs = 200;
+  /// With work of at most 230 us after it, as much is left before as behind.
+  static constexpr uint32_t kWaitUs = 370;
   static constexpr int32_t kShare = 8;
   static constexpr int32_t kMaxStepUs = 5;
   /// A host is late or early by less, relative to the mean phase that the tick follows.
@@ -60,10 +70,16 @@ class Tick {
   static constexpr int32_t kMaxJoinUs = 500;
   static constexpr uint32_t kJoinEvery = 100;
 
+  static bool is_past(uint32_t us) noexcept { return static_cast<int32_t>(now_us() - us) >= 0; }
+
   void set_next(uint32_t us) noexcept {
     next_us_ = us;
+    set_alarm(next_us_ - kMeasureUs);
+  }
+
+  static void set_alarm(uint32_t us) noexcept {
     reg(kTimer + 0x34) = 1;
-    reg(kTimer + 0x10) = next_us_;
+    reg(kTimer + 0x10) = us;
   }
 
   uint32_t began_us_ = 0;

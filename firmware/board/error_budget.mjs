@@ -22,8 +22,10 @@ const kAmplifierHz = 400e3;
 const kPwmHz = 20e3;
 /** What is left in the shunt, peak to peak, of 15 A that are switched: 10 mOhm of the capacitors at VM against 1 uH of leads. */
 const kSupplyRippleA = 15 * 0.010 / (2 * Math.PI * kPwmHz * 1e-6);
-/** Current ripple of a winding, half the supply on: supply / (4 L f), peak to peak. */
-const rippleA = (board, hertz) => 12 / (4 * board.winding.henry * hertz);
+/** By which a sampling point may be beside the middle of the on-time: the drivers' delay is not published (assumed: up to 1 us). */
+const kOffCentreS = 1e-6;
+/** Shorter on-times are over before the sampling point in the worst case: then half the ripple counts. */
+const kShortestShare = 2 * kOffCentreS * kPwmHz;
 
 const sum = (list) => list.reduce((total, [, value]) => total + value, 0);
 export const root = (list) => Math.sqrt(list.reduce((total, [, value]) => total + value * value, 0));
@@ -63,12 +65,14 @@ function inLine(board, types, name, at) {
   const seconds = filterSeconds(board, at);
   const band = Math.PI / 2 * Math.min(kAmplifierHz, 1 / (2 * Math.PI * seconds));
   const noise = [["amplifier", kAmplifierNoiseV * Math.sqrt(band) / shunt.value], ["resolution", step / Math.sqrt(12)]];
-  // Conversions and PWM have one clock, and 20 periods are a millisecond: always the same phase of the ripple is converted.
-  const ripple = circuit.zero > 0 ? rippleA(board, kPwmHz) : kSupplyRippleA / (4 * kPwmHz * seconds);
-  const bias = [budget(`${name} bias while driven`, "A", [["half the ripple at 20 kHz, half the supply on", ripple / 2]])];
-  // Of the current that a small duty drives: the ripple is supply d (1 - d) / (L f), the current supply d / R.
-  if (circuit.zero > 0) bias.push(budget(`${name} bias while driven, of the current`, "",
-    [["half the ripple at 20 kHz, a small share of the supply on", board.winding.ohm / (2 * board.winding.henry * kPwmHz)]]));
+  // Conversions and PWM have one clock, and 20 periods are a millisecond: always the same phase of the ripple is converted. A winding's
+  // is that of the mean, in the middle of the on-time, in which the current rises by supply (1 - d) / L.
+  const bias = circuit.zero > 0
+    ? [budget(`${name} bias while driven`, "A", [["1 us from the middle of the on-time, half the supply on", 12 * 0.5 / board.winding.henry * kOffCentreS]]),
+      // Of a current supply d / R.
+      budget(`${name} bias while driven, of the current`, "", [["1 us from the middle of an on-time of 2 us",
+        board.winding.ohm / board.winding.henry * (1 - kShortestShare) / kShortestShare * kOffCentreS]])]
+    : [budget(`${name} bias while driven`, "A", [["half the ripple at 20 kHz, half the supply on", kSupplyRippleA / (4 * kPwmHz * seconds) / 2]])];
   const mean = [["mean of the readings", root(noise) / Math.sqrt(kReadings)]];
   // Both are read through the converter, whose errors are in them; the supply's amplifier cannot show its zero.
   const calibrated = circuit.zero > 0

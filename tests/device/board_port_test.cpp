@@ -142,14 +142,14 @@ TEST(BoardPort, EachWindingHasItsOwnScaleAndZero) {
   for (const auto ma : measured(wiring, raw, {}).current_ma) EXPECT_NEAR(ma, 12'000, 17);
 }
 
-// Currents converted 60, 40 and 20 us early are extrapolated to the end of their millisecond.
-TEST(BoardPort, CurrentsAreExtrapolatedToTheEndOfTheirMillisecond) {
+// Currents converted 100 and 50 us before the third are extrapolated to its conversion.
+TEST(BoardPort, CurrentsAreExtrapolatedToTheLastConversion) {
   const Wiring wiring = reference_wiring();
   BoardInputs last;
   RawInputs raw;
   // From 2 A: rising by 10 A a millisecond, falling by as much, constant.
-  raw.current_adc[0] = adc_of_mv(1650 + 50 * (2.0 + 9.4));
-  raw.current_adc[1] = adc_of_mv(1650 + 50 * (2.0 - 9.6));
+  raw.current_adc[0] = adc_of_mv(1650 + 50 * (2.0 + 9.0));
+  raw.current_adc[1] = adc_of_mv(1650 + 50 * (2.0 - 9.5));
   raw.current_adc[2] = adc_of_mv(1650 + 50 * 2.0);
   for (std::int16_t& current : last.current_ma) current = 2000;
   const BoardInputs in = measured(wiring, raw, driven(8000), &last);
@@ -157,7 +157,7 @@ TEST(BoardPort, CurrentsAreExtrapolatedToTheEndOfTheirMillisecond) {
   EXPECT_NEAR(in.current_ma[1], -8000, 20);
   EXPECT_NEAR(in.current_ma[2], 2000, 20);
   last.currents_measured = 0;
-  EXPECT_NEAR(measured(wiring, raw, driven(8000), &last).current_ma[0], 11'400, 20);
+  EXPECT_NEAR(measured(wiring, raw, driven(8000), &last).current_ma[0], 11'000, 20);
 }
 
 TEST(BoardPort, AShuntMeasuresWhatTheBridgesDraw) {

@@ -94,9 +94,9 @@ TEST(FrontEnd, TheThreeCurrentsAreConvertedOneAfterTheOther) {
   Electronics in_line(FrontEndKind::kInLine);
   for (int coil = 0; coil < model::kCoils; ++coil) in_line.drive(coil, 0.5, 10.0);
   in_line.analogue.before_a = {};  // 10 A within the millisecond
-  EXPECT_NEAR(in_line.current_a(0).mean, 10.0 - 0.6, 0.01);
-  EXPECT_NEAR(in_line.current_a(1).mean, 10.0 - 0.4, 0.01);
-  EXPECT_NEAR(in_line.current_a(2).mean, 10.0 - 0.2, 0.01);
+  EXPECT_NEAR(in_line.current_a(0).mean, 10.0 - 1.0, 0.01);
+  EXPECT_NEAR(in_line.current_a(1).mean, 10.0 - 0.5, 0.01);
+  EXPECT_NEAR(in_line.current_a(2).mean, 10.0, 0.01);
 }
 
 TEST(FrontEnd, TheSupplyIsReadWithinABitAndWhatTheBridgesDraw) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Heat while control is late: debounce times and the thermal estimate follow the clock, not the
 // number of steps.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -12,18 +16,25 @@ using control::Reason;
 class LateAndHot : public ::testing::TestWithParam<int> {};
 
 TEST_P(LateAndHot, TheWatchdogStillTripsAtSeventy) {
-  rig::Rig rig(without_limiter());
-  rig.run_until_armed();
-  rig.start(rig::hold({0, 1, 0}, 15.0, 60'000));
-  rig.run(10);
-  while (rig.now() < 60'000 && rig.controller().state() == control::State::kArmed) {
-    rig.skip_control(GetParam());
-    rig.tick();
+  // Of the noise, which makes a difference of 3 K with so few readings, another part each time.
+  std::array<double, 11> tripped_c{};
+  for (std::size_t i = 0; i < tripped_c.size(); ++i) {
+    rig::Rig rig(without_limiter());
+    rig.run_until_armed();
+    rig.run(static_cast<model::Tick>(7 * i));
+    rig.start(rig::hold({0, 1, 0}, 15.0, 60'000));
+    rig.run(10);
+    while (rig.now() < 60'000 && rig.controller().state() == control::State::kArmed) {
+      rig.skip_control(GetParam());
+      rig.tick();
+    }
+    expect_tripped(rig, Reason::kOverheated);
+    tripped_c[i] = rig.plant().hottest_winding_c();
+    EXPECT_LT(tripped_c[i], 70.6);
   }
-  expect_tripped(rig, Reason::kOverheated);
   // With few readings the estimate is less certain, and trips slightly earlier.
-  EXPECT_GT(rig.plant().hottest_winding_c(), 68.5);
-  EXPECT_LT(rig.plant().hottest_winding_c(), 70.6);
+  std::nth_element(tripped_c.begin(), tripped_c.begin() + tripped_c.size() / 2, tripped_c.end());
+  EXPECT_GT(tripped_c[tripped_c.size() / 2], 68.5);
 }
 
 TEST_P(LateAndHot, TheEstimateFollowsTheBall) {

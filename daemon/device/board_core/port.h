@@ -42,8 +42,8 @@ struct Wiring {
   /// about 20 mV/A and 50 mV; to be calibrated, because the zero alone is 2.5 A.
   uint32_t current_uv_per_a[kWindings] = {20'000, 20'000, 20'000};
   int32_t current_zero_uv[kWindings] = {50'000, 50'000, 50'000};
-  /// Time from each conversion to the end of the millisecond; the current is extrapolated linearly
-  /// to there from its start. 0: negligible. Below 1000.
+  /// Time from each conversion to the last one of a current; the current is extrapolated linearly
+  /// to there from the millisecond before. 0: negligible. Below 1000.
   uint16_t converted_before_us[kWindings] = {};
   /// A shunt in the supply line of the bridges, without fan and electronics: microvolts per ampere;
   /// 0: not fitted. CS is inactive while the bridges sleep, so without this shunt or an amplifier
@@ -70,8 +70,8 @@ constexpr Wiring reference_wiring() noexcept {
   for (int k = 0; k < kWindings; ++k) {
     wiring.current_uv_per_a[k] = 50'000;
     wiring.current_zero_uv[k] = 1'650'000;
-    // One after the other, 20 us each.
-    wiring.converted_before_us[k] = static_cast<uint16_t>(20 * (kWindings - k));
+    // In the middle of the on-time, in three periods of the PWM one after the other.
+    wiring.converted_before_us[k] = static_cast<uint16_t>(50 * (kWindings - 1 - k));
   }
   wiring.shunt_uv_per_a = 100'000;
   wiring.thermistors = 3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference board around an emulated microcontroller: its pins drive the simulator's ball, whose readings return through a converter on
 // SPI, fault lines and a tach.
-import { Chip } from './chip.mjs';
+import { Chip, kPhaseCorrect } from './chip.mjs';
 import { flashImage } from './elf.mjs';
 import { arm, setPoint, telemetry } from './frames.mjs';
 import { Plant } from './plant.mjs';
@@ -18,6 +18,10 @@ const kSio = 5;
 const kPwm = 4;
 const kCompare = 0x0c;
 const kFanTop = 4999;
+const kCyclesPerUs = 125;
+/** Of the address map of rp2040js. */
+const kTimer = 0x40054;
+const kAlarm = 0x10;
 
 const kPlantUs = 1000;
 const kLateUs = 1200;
@@ -35,12 +39,13 @@ export class Board {
     this.host = new UsbHost();
     this.events = []; // changes of SLP: { us, awake }
     this.applied = []; // compare values of winding x: { us, value }, at the end of the PWM period before them
-    this.ticks = []; // start of each millisecond of the firmware, us
+    this.ticks = []; // start of the rules in each millisecond of the firmware, us
     this.busiestCycles = 0; // of the firmware's milliseconds, from one conversion to the next
     this.shownCurrent = undefined; // converter code of winding x's amplifier in place of its current
     this.shownShunt = undefined; // the same of the supply's shunt
     this.converterResponds = true; // false: its line is low, as by the pull-down of the microcontroller
-    this.slowestPwmUs = 0; // from the start of a millisecond to its compare values
+    this.slowestPwmUs = 0; // from the start of the rules to their compare values
+    this.onSample = () => {}; // called with each winding's current that is converted: { winding, offCentreUs, onTimeUs }
     this.onTick = () => {}; // called with the readings that the firmware is about to convert
     this.onApply = () => {}; // called when the firmware writes its compare values
     this.readings = this.plant.step(kSafePins);
@@ -52,6 +57,7 @@ export class Board {
     this.mcu = mcu;
     chip.pinsNow = () => this.pins();
     this.selectedUs = -1e9;
+    this.measuring = false;
     this.busyBefore = undefined;
     this.host.attach(mcu, chip);
     this.attachConverter();
@@ -74,6 +80,16 @@ export class Board {
     slice.updateDoubleBuffered = () => {
       if (slice.ccUpdated) this.applied.push({ us: chip.us, value: slice.cc & 0xffff });
       wrap();
+    };
+    // After the conversions, the rules begin with the alarm of the next millisecond.
+    const timer = mcu.peripherals[kTimer];
+    const writeTimer = timer.writeUint32.bind(timer);
+    timer.writeUint32 = (offset, value) => {
+      if (offset === kAlarm && this.measuring) {
+        this.measuring = false;
+        this.ticks.push(chip.us);
+      }
+      writeTimer(offset, value);
     };
     this.late = mcu.clock.createAlarm(() => this.stepPlant(kPlantUs));
     this.late.schedule(kPlantUs * 1000);
@@ -140,7 +156,7 @@ export class Board {
       }
       if (chip.us - deselectedUs < kDeselectedUs) chip.warnings.push('the converter is selected again too soon');
       if (chip.us - this.selectedUs > kPauseUs) {
-        this.ticks.push(chip.us);
+        this.measuring = true;
         if (this.busyBefore !== undefined) this.busiestCycles = Math.max(this.busiestCycles, chip.busyCycles - this.busyBefore);
         this.busyBefore = chip.busyCycles;
         // The firmware has read the fault lines just before this.
@@ -156,9 +172,22 @@ export class Board {
       if (this.high(kSelect) || spi.control0 !== 7 || !spi.enabled || spi.clockFrequency > kMaxSpiHz)
         chip.warnings.push('the converter is not spoken to as its data sheet says');
       bytes.push(value);
+      if (bytes.length === 2) this.noteSample(((bytes[0] & 1) << 2) | (value >> 6), 1e6 / spi.clockFrequency);
       response = this.converterResponds ? this.converterByte(bytes) : 0;
       done.schedule((8e9 / spi.clockFrequency) | 0);
     };
+  }
+
+  /** The second of the three bytes begins; the sampling of `input` ends with the falling edge of clock 11 (DS21298E, figure 6-1). */
+  noteSample(input, clockUs) {
+    if (input > 2) return;
+    const { timer, csr } = this.mcu.pwm.channels[input >> 1];
+    const compare = this.pins().pwm[input];
+    // Around the counter's 0, or from it on.
+    const [middle, onTime] = csr & kPhaseCorrect ? [0, 2 * compare] : [compare / 2, compare];
+    const periodUs = (timer.top + 1) / kCyclesPerUs;
+    const us = ((timer.counter - middle) / kCyclesPerUs + 2.5 * clockUs + periodUs) % periodUs;
+    this.onSample({ winding: input, offCentreUs: us < periodUs / 2 ? us : us - periodUs, onTimeUs: onTime / kCyclesPerUs });
   }
 
   /** DS21298E, figure 6-1; undefined bits are 1. */

@@ -45,6 +45,10 @@ function sleepForGood(core) {
 }
 
 const kUsbReset = 1 << 24;
+const kPwmControl = 0x00;
+const kPwmCounter = 0x08;
+/** Of a PWM slice's control register. */
+export const kPhaseCorrect = 2;
 
 const slot = (address) => (address >>> 14) << 2;
 
@@ -80,6 +84,7 @@ export class Chip {
     this.replaceFlash();
     this.replaceRegulator();
     this.fixCore();
+    this.fixPwm();
     this.shortenAccesses();
     this.watchPolling();
     const watchdog = mcu.peripherals[slot(kWatchdog)];
@@ -210,6 +215,31 @@ export class Chip {
         core.pendingInterrupts &= ~(1 << number);
       }
     };
+  }
+
+  /** A slice that is phase-correct counts 0 and its top twice (4.5.2.1, 4.5.2.6); rp2040js counts each once. Its timer counts the period. */
+  fixPwm() {
+    for (const slice of this.mcu.pwm.channels) {
+      const { timer } = slice;
+      const centred = () => (slice.csr & kPhaseCorrect) !== 0;
+      const write = slice.writeRegister.bind(slice);
+      slice.writeRegister = (offset, value) => {
+        write(offset, value);
+        if (offset === kPwmControl) timer.mode = 0;
+      };
+      const read = slice.readRegister.bind(slice);
+      slice.readRegister = (offset) => {
+        if (offset !== kPwmCounter || !centred()) return read(offset);
+        const { counter } = timer;
+        return counter <= slice.top ? counter : 2 * slice.top + 1 - counter;
+      };
+      const update = slice.updateDoubleBuffered.bind(slice);
+      slice.updateDoubleBuffered = () => {
+        const changed = slice.topUpdated;
+        update();
+        if (changed && centred()) timer.top = 2 * slice.top + 1;
+      };
+    }
   }
 
   /** SRAM and the USB packets' buffers without rp2040js's search of the address map, with the same result. */

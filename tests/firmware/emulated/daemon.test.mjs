@@ -60,6 +60,9 @@ test('a pulse and a circle have the requested currents', withDaemon(async (daemo
   const status = await daemon.state('armed');
   assert.ok(Math.abs(status.supply_v - 12) < 0.3);
   assert.equal(status.temperature_c.sensors.length, 3);
+  // The board drops at most a frame when its millisecond takes over the phase of a new host.
+  const { lost } = (await ball.status()).link;
+  assert.ok(lost <= 1, `${lost} frames`);
   const pulse = await ended(ball, () => ball.pulse('left', { current_a: 10, duration_ms: 300 }));
   assert.equal(pulse.reason, 'completed');
   const [x, y, z] = (await eventually('the bridges sleep', () => daemon.trace().find((line) => line.event === 'asleep'))).peak_ma;
@@ -68,7 +71,7 @@ test('a pulse and a circle have the requested currents', withDaemon(async (daemo
 
   const circle = await ended(ball, () => ball.circle('up', { current_a: 6, duration_ms: 1500 }));
   assert.equal(circle.reason, 'completed');
-  assert.equal((await ball.status()).link.lost, 0);
+  assert.equal((await ball.status()).link.lost, lost);
   const lines = await daemon.stop();
   const peak = lines.filter((line) => line.event === 'asleep').at(-1).peak_ma.map(Math.abs);
   assert.ok(peak[0] > 5500 && peak[1] > 5500 && peak[2] < 500, `${peak} mA`);

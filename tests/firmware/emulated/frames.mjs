@@ -42,6 +42,9 @@ export const limits = (sequence, { sensorCc = 7500, currentMa = 16500, heat = 10
 /** The key is "BOOT". */
 export const bootLoader = (sequence, key = 0x544f4f42) => frame(0x04, 0, sequence, (bytes) => void bytes.writeUInt32LE(key, 8));
 
+/** The compare value of a duty (board_core/port.cpp, firmware/pico_wiring.h). */
+export const compareValue = (dutyQ15) => Math.floor((3124 * Math.abs(dutyQ15)) / 32767);
+
 export const kMode = { safe: 0, ready: 1, driving: 2, latched: 3 };
 
 /** Bits of BoardFault (daemon/device/board_core/board_core.h). */

@@ -259,14 +259,18 @@ test('a brown-out of the core, which works only from 0.99 V on: reset at once, n
   assertDriving(board, driver);
 }));
 
-test('the converter’s clock stops: a loop that waits for it is reset within 22 ms, and the bridges sleep', withBoard((board, driver) => {
-  driver.drive(kFiveAmps);
-  const { us } = board.chip;
-  board.mcu.spi[0].onTransmit = () => {};
-  board.run(25, () => board.chip.resets === 1);
-  assert.equal(board.chip.resets, 1);
-  assert.ok(board.chip.resetUs - us < 22e3, `${board.chip.resetUs - us} us`);
-  board.run(10);
-  assert.equal(board.pins().awake, false);
-  assertNoCurrent(board);
-}));
+for (const [what, stop] of [
+  ['the converter’s clock stops: a loop', ({ mcu }) => { mcu.spi[0].onTransmit = () => {}; }],
+  ['the sampling points fail to come: a sleep', ({ mcu }) => { mcu.pwm.channels[2].timer.enable = false; }],
+])
+  test(`${what} that waits for it is reset within 22 ms, and the bridges sleep`, withBoard((board, driver) => {
+    driver.drive(kFiveAmps);
+    const { us } = board.chip;
+    stop(board);
+    board.run(25, () => board.chip.resets === 1);
+    assert.equal(board.chip.resets, 1);
+    assert.ok(board.chip.resetUs - us < 22e3, `${board.chip.resetUs - us} us`);
+    board.run(10);
+    assert.equal(board.pins().awake, false);
+    assertNoCurrent(board);
+  }));

@@ -4,18 +4,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { withBoard } from './fixture.mjs';
-import { kMode, setPoint, telemetry } from './frames.mjs';
+import { compareValue, kMode, setPoint, telemetry } from './frames.mjs';
 import { histogram, percentile } from './histogram.mjs';
 
 /** MCP3208: no current, and 0.4 A. */
 const kCodes = [2048, 2073];
 const kThresholdMa = 200;
 const kDuties = [0.01, 0.02];
-const kCompares = kDuties.map((duty) => Math.floor((6249 * Math.round(duty * 32767)) / 32767));
+const kCompares = kDuties.map((duty) => compareValue(Math.round(duty * 32767)));
 const kChanges = 200;
-/** A conversion in each millisecond, 0.35 ms into the host's frame, which is sent by the start of the next (E15); the host's next frame
- *  after the telemetry; from a set-point to its PWM. */
-const kMaxUs = { telemetry: 1000 + 750, command: 1000, pwm: 1000 };
+/** A conversion in each millisecond, that of winding x 0.2 ms into the host's frame, which is sent by the start of the next (E15); the
+ *  host's next frame after the telemetry; from a set-point to its PWM. */
+const kMaxUs = { telemetry: 1000 + 800, command: 1000, pwm: 1000 };
 /** Widths of the bins of their histograms. */
 const kBinsUs = { telemetry: 200, command: 5, pwm: 10 };
 

@@ -42,7 +42,7 @@ export async function play(daemon, minutes, { seed = 1, report = () => {} } = {}
     figures.minutes = (status.time_ns - begun.time_ns) / 60e9;
     figures.hottest_c = Math.max(figures.hottest_c, status.temperature_c.model ?? 0);
     figures.true_hottest_c = Math.max(figures.true_hottest_c, ...truth.coils_c);
-    Object.assign(figures, { frames: status.link.frames_out, lost: status.link.lost, errors: status.link.errors, skipped: status.loop.skipped });
+    Object.assign(figures, { frames: status.link.frames_out, lost: status.link.lost - begun.link.lost, errors: status.link.errors, skipped: status.loop.skipped });
     if (figures.minutes < reported + 1) continue;
     reported = Math.floor(figures.minutes);
     report(figures);

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CoreMirror } from './core_mirror.mjs';
 import { withBoard } from './fixture.mjs';
-import { arm, kMode, setPoint, telemetry } from './frames.mjs';
+import { arm, compareValue, kMode, setPoint, telemetry } from './frames.mjs';
 import { histogram, percentile } from './histogram.mjs';
 
 const kTicks = Number(process.env.HEDGEHOG_FIRMWARE_TICKS ?? 3000);
@@ -18,8 +18,8 @@ const kMaxPacketUs = 20;
 /** Lengths of the descriptors requested: one packet, and the largest. */
 const kConfigurationBytes = 32;
 const kMicrosoftBytes = 162;
-/** From the start of a millisecond to its compare values: 150 us of conversions, the rules, the end of a PWM period. */
-const kMaxPwmUs = 300;
+/** From the start of the rules to their compare values. */
+const kMaxPwmUs = 150;
 
 /** A host's pseudo-random integers below `below`. */
 function noise(state) {
@@ -58,7 +58,7 @@ function measureLatency(board, driver, ms, lateUs) {
   board.host.onOut = (packet, us) => {
     const frame = Buffer.from(packet);
     arrived.set(frame.readUInt32LE(4), us);
-    sent.push({ us, value: Math.floor((6249 * frame.readInt16LE(8)) / 32767) });
+    sent.push({ us, value: compareValue(frame.readInt16LE(8)) });
   };
   board.host.onIn = (packet, us) => {
     driver.last = telemetry(packet);
