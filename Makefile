@@ -252,7 +252,7 @@ faults: $(CONFIGURED_BENCH)
 FIRMWARE_IMAGE := build/dev/firmware/firmware_image
 firmware: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant firmware_vectors hedgehogd hedgehogctl
-	@$(STAGE) 'build firmware' firmware/build.sh build/firmware $(FIRMWARE_IMAGE)
+	@$(LOCK_DEV) $(STAGE) 'build firmware' firmware/build.sh build/firmware $(FIRMWARE_IMAGE)
 	@build/dev/clients/ctl/hedgehogctl board flash --check build/firmware/hedgehog-board.uf2
 	@$(STAGE) 'build vectors' tests/firmware/build.sh build/firmware
 	@$(STAGE) 'tests reproducible' tests/firmware/reproducible.sh build/firmware $(FIRMWARE_IMAGE)
@@ -264,7 +264,7 @@ firmware: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 .PHONY: firmware-guards
 firmware-guards: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant hedgehogd
-	@firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
+	@$(LOCK_DEV) firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
 	@$(STAGE) 'firmware guards' tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf build/dev/tests/firmware/firmware_plant \
 	  build/npm/firmware build/dev guards $(FIRMWARE_IMAGE) $(ARGS)
 
@@ -275,7 +275,7 @@ FRAMES ?= 1048576
 .PHONY: firmware-built firmware-play firmware-frames
 firmware-built: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant hedgehogd hedgehogctl
-	@firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
+	@$(LOCK_DEV) firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
 EMULATED := tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf build/dev/tests/firmware/firmware_plant build/npm/firmware build/dev
 firmware-play: firmware-built
 	@$(STAGE) 'firmware play' $(EMULATED) play $$(awk 'BEGIN { print 60 * $(HOURS) }')
@@ -292,7 +292,7 @@ CALIBRATION ?= firmware/calibration.h
 .PHONY: firmware-calibrated
 firmware-calibrated: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant
-	@firmware/build.sh build/firmware/calibrated $(FIRMWARE_IMAGE) $(CALIBRATION)
+	@$(LOCK_DEV) firmware/build.sh build/firmware/calibrated $(FIRMWARE_IMAGE) $(CALIBRATION)
 	@HEDGEHOG_FIRMWARE_CALIBRATION=$(abspath $(CALIBRATION)) $(STAGE) 'tests calibration' tests/firmware/emulated/run.sh \
 	  build/firmware/calibrated/hedgehog-board.elf build/dev/tests/firmware/firmware_plant build/npm/firmware build/dev test calibration
 	@echo 'make: build/firmware/calibrated/hedgehog-board.uf2 is for the board with the figures of $(CALIBRATION)'
@@ -309,7 +309,7 @@ reference-board: build/.packages-dashboard
 USB_IMAGE := build/firmware/usb
 test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb firmware_image firmware_plant
-	@firmware/build.sh $(USB_IMAGE) $(FIRMWARE_IMAGE) >/dev/null
+	@$(LOCK_DEV) firmware/build.sh $(USB_IMAGE) $(FIRMWARE_IMAGE) >/dev/null
 	@HEDGEHOG_FIRMWARE_ELF=$(CURDIR)/$(USB_IMAGE)/hedgehog-board.elf HEDGEHOG_PROGRAMS=$(CURDIR)/build/bench $(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
 
 # All programs as they ship, with campaigns.

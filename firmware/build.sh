@@ -16,8 +16,9 @@ cd "$(dirname -- "$0")/.."
 command -v arm-none-eabi-g++ >/dev/null || { echo "build.sh: no arm-none-eabi-g++ (gcc-arm-none-eabi)" >&2; exit 69; }
 
 export LC_ALL=C
-# An image of before must not be taken for the one that was refused.
-rm -rf "$out/board" "$out/hedgehog-board.uf2" "$out/hedgehog-board.elf" "$out/hedgehog-board.map"
+# An image of before must not be taken for the one that was refused; until the new one is complete, a test may be running it.
+rm -rf "$out/board"
+trap 'rm -f "$out/hedgehog-board.uf2" "$out/hedgehog-board.elf" "$out/hedgehog-board.map"' EXIT
 mkdir -p "$out/board/include/firmware"
 cp "$calibration" "$out/board/include/firmware/calibration.h"
 objects=
@@ -34,13 +35,15 @@ for source in daemon/device/board_core/*.cpp firmware/*.cpp firmware/usb/*.cpp; 
 done
 # shellcheck disable=SC2086
 (cd "$out/board" && arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings \
-  -Wl,--no-warn-rwx-segments "-Wl,-Map=../hedgehog-board.map" "-Wl,-T,$OLDPWD/firmware/board.ld" $objects -lgcc -o board.elf)
+  -Wl,--no-warn-rwx-segments "-Wl,-Map=hedgehog-board.map" "-Wl,-T,$OLDPWD/firmware/board.ld" $objects -lgcc -o board.elf)
 
 arm-none-eabi-objcopy -O binary --only-section=.boot2 "$out/board/board.elf" "$out/board/boot2.bin"
 "$image" boot2 "$out/board/boot2.bin" "$out/board/boot2.crc"
-arm-none-eabi-objcopy --update-section ".boot2=$out/board/boot2.crc" "$out/board/board.elf" "$out/hedgehog-board.elf"
-arm-none-eabi-objcopy -O binary "$out/hedgehog-board.elf" "$out/board/board.bin"
-"$image" uf2 "$out/board/board.bin" "$out/hedgehog-board.uf2"
+arm-none-eabi-objcopy --update-section ".boot2=$out/board/boot2.crc" "$out/board/board.elf" "$out/board/hedgehog-board.elf"
+arm-none-eabi-objcopy -O binary "$out/board/hedgehog-board.elf" "$out/board/board.bin"
+"$image" uf2 "$out/board/board.bin" "$out/board/hedgehog-board.uf2"
+mv "$out/board/hedgehog-board.uf2" "$out/board/hedgehog-board.elf" "$out/board/hedgehog-board.map" "$out"
+trap - EXIT
 
 echo "firmware of the reference board:"
 arm-none-eabi-size -A "$out/hedgehog-board.elf" | awk '
