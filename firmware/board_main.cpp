@@ -26,15 +26,15 @@ void start_usb_serial() noexcept {
   set_serial(serial);
 }
 
-/// Asleep, but for what comes meanwhile, until `due()`.
+/// Polls and sleeps until `due()`.
 template <class Due>
 void wait_until(Due due) noexcept {
-  const Wakeups any(kTimerInterrupt | kUsbInterrupt | kPinInterrupt);
+  const Wakeups wakeups(kTimerInterrupt | kUsbInterrupt | kPinInterrupt);
   for (;;) {
-    any.clear();
+    wakeups.clear();
     port.poll();
     if (due()) return;
-    any.sleep();
+    wakeups.sleep();
   }
 }
 
@@ -57,7 +57,7 @@ extern "C" [[noreturn]] void board_main() {
     wait_until([&tick] { return tick.take(); });
     board::board_millisecond(core, kWiring, port);
     if (core.boot_loader_due()) enter_boot_loader();
-    if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us(), core.outputs().awake);
+    if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us());
     feed_watchdog();
   }
 }

@@ -22,36 +22,42 @@ constexpr uint32_t kStatus = kSpi0 + 0x0C;
 constexpr uint32_t kPrescale = kSpi0 + 0x10;
 constexpr uint32_t kReceived = 1u << 2;
 
-uint32_t exchange(uint32_t byte) noexcept {
-  reg(kData) = byte;
+/// 4.4.3.10: mode 0; between two words the clock pauses for two of its periods.
+constexpr uint32_t kWordBits = 10;
+/// 125 MHz / 2 / 52 = 1.2 MHz: the converter's limit is 1 MHz at 2.7 V and 2 MHz at 5 V. The small
+/// prescaler lets a word begin within 16 ns, not within a clock.
+constexpr uint32_t kDivider = 52;
+
+uint32_t received() noexcept {
   while ((reg(kStatus) & kReceived) == 0) {
   }
   return reg(kData);
 }
 
-/// DS21298E, section 6.1: 24 clocks; start bit, single ended, three bits of the input; the twelve
-/// bits come last.
+/// DS21298E, section 6.1, in two words: a zero, the start bit, single ended, three bits of the
+/// input, two clocks for the sampling; then the twelve bits.
 uint16_t convert(uint32_t input) noexcept {
   reg(kSio + 0x18) = 1u << kSpiSelectPin;
-  exchange(0x06u | (input >> 2));
-  const uint32_t high = exchange((input & 3u) << 6);
-  const uint32_t low = exchange(0);
+  reg(kData) = 0x180u | (input << 4);
+  reg(kData) = 0;
+  const uint32_t high = received();
+  const uint32_t low = received();
   reg(kSio + 0x14) = 1u << kSpiSelectPin;
   // 500 ns between two conversions, three cycles a turn.
   for (int i = 0; i < 24; ++i) asm volatile("nop");
-  return static_cast<uint16_t>(((high & 0x0Fu) << 8) | (low & 0xFFu));
+  return static_cast<uint16_t>(((high & 3u) << kWordBits) | (low & 0x3FFu));
 }
 
 }  // namespace
 
 void start_converter() noexcept {
-  // 125 MHz / 104 = 1.2 MHz: the converter's limit is 1 MHz at 2.7 V and 2 MHz at 5 V.
-  reg(kPrescale) = 104;
-  reg(kControl0) = 7;  // 8 bits, mode 0
+  reg(kPrescale) = 2;
+  reg(kControl0) = ((kDivider - 1) << 8) | (kWordBits - 1);
   reg(kControl1) = 1u << 1;
 }
 
 void Converter::measure(uint32_t winding, board::RawInputs& raw) noexcept {
+  if (winding == 0) clear_sampling_point();
   wait_for_sampling_point();
   raw.current_adc[winding] = convert(kCurrentInput + winding);
   if (winding == 0)

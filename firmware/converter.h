@@ -11,13 +11,13 @@ namespace hedgehog::firmware {
 /// REQUIRES: pins and clocks run.
 void start_converter() noexcept;
 
-/// The eight inputs in each millisecond; of the thermistors one, in turn.
+/// Six of the eight inputs in each millisecond: of the thermistors one, in turn.
 class Converter {
  public:
   /// Sleeps until the sampling point of `winding`, converts its current, then one of the others.
   /// Call it for 0, 1, 2, in three periods of the PWM: 195 us in all at most, the wait for the
   /// first period included. A conversion takes 20 us, so that two and 9 us of other work fit in a
-  /// period.
+  /// period; what takes longer delays the following conversions.
   void measure(uint32_t winding, board::RawInputs& raw) noexcept;
 
  private:

@@ -30,10 +30,9 @@ class PicoPort {
 
   /// The slow part of `measure`, before the host's packets are taken.
   void convert() noexcept {
-    raw_.faults_low = faults_low();
     raw_.tach_period_us = tach_.period_us();
     for (uint32_t k = 0; k < board::kWindings; ++k) {
-      // An edge is known as exactly as it is looked for.
+      // The resolution of an edge's time is the interval of these polls.
       tach_.poll();
       converter_.measure(k, raw_);
     }
@@ -48,10 +47,13 @@ class PicoPort {
   }
   /// When the last set-point that was received had come.
   uint32_t arrived_us() const noexcept { return arrived_us_; }
-  void measure(board::RawInputs& raw) noexcept { raw = raw_; }
+  void measure(board::RawInputs& raw) noexcept {
+    raw = raw_;
+    raw.faults_low = faults_low();
+  }
   void apply(const board::PinOutputs& pins) noexcept { set_pins(pins); }
   void send(const uint8_t* frame) noexcept {
-    // A frame of the bus that began during the measurement is noted first.
+    // A frame of the bus that began during the rules is noted first.
     usb_.poll();
     usb_.send(frame);
   }

@@ -60,4 +60,7 @@ static_assert(scales_are_plausible(pico_wiring(), board::reference_wiring()),
               "calibration.h: a scale is more than 3 % from the design: repeat step 6 of "
               "bring-up.md");
 
+static_assert(board::reference_wiring().converted_before_us[0] == 2 * kPwmPeriod / 125,
+              "the windings are converted in three periods of the PWM one after the other");
+
 }  // namespace hedgehog::firmware

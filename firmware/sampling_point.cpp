@@ -17,16 +17,17 @@ void prepare_sampling_points() noexcept {
   reg(pwm_slice(kSamplingSlice) + kPwmWrapValue) = kPwmPeriod - 1;
   // Ahead of the bridges' counters.
   reg(pwm_slice(kSamplingSlice) + kPwmCounter) =
-      (kSampledAfterNs - kInputLagNs) * kCyclesPerUs / 1000;
+      (kSampledAfterNs - kInputDelayNs) * kCyclesPerUs / 1000;
   reg(kPwmWrapInterrupts) = kWrap;
 }
 
+void clear_sampling_point() noexcept { reg(kPwmWraps) = kWrap; }
+
 void wait_for_sampling_point() noexcept {
-  // A host's packets would wake the processor again and again.
-  const Wakeups only(kPwmInterrupt);
-  reg(kPwmWraps) = kWrap;
-  only.clear();
-  while ((reg(kPwmWraps) & kWrap) == 0) only.sleep();
+  const Wakeups wakeups(kPwmInterrupt);
+  wakeups.clear();
+  while ((reg(kPwmWraps) & kWrap) == 0) wakeups.sleep();
+  clear_sampling_point();
 }
 
 }  // namespace hedgehog::firmware

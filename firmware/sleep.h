@@ -9,8 +9,8 @@
 
 namespace hedgehog::firmware {
 
-/// The interrupts that end a sleep, while it lives; at most one lives. `clear`, then ask for what
-/// is waited for, then `sleep`: the interrupt of what comes in between is pending.
+/// The interrupts that end a sleep, for its lifetime; at most one exists. `clear`, check the
+/// condition, then `sleep`: an interrupt in between stays pending and ends the sleep.
 class Wakeups {
  public:
   explicit Wakeups(uint32_t interrupts) noexcept : interrupts_(interrupts) {

@@ -37,22 +37,21 @@ class Tick {
 
   /// A set-point that had arrived at `arrived_us` was taken in this millisecond.
   /// Moves the start of the next millisecond towards `kWaitUs` after that arrival: by at most 5 us,
-  /// or, when it is more than `kFarUs` away, by at most 500 us, once in `kJoinEvery` ticks. Call at
-  /// most once a millisecond. While the bridges are awake no millisecond becomes longer by more
-  /// than 5 us, because a boost lasts one.
-  void follow(uint32_t arrived_us, bool awake) noexcept {
+  /// or, when it is later by more than `kFarUs`, by at most 500 us, once in `kJoinEvery` ticks.
+  /// Call it at most once a millisecond. No millisecond becomes longer by more than 5 us, because a
+  /// boost lasts one, and because the arrival may have been noticed only after the measurement.
+  void follow(uint32_t arrived_us) noexcept {
     const int32_t late_us =
         static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
     int32_t step_us = late_us / kShare;
     int32_t max_step_us = kMaxStepUs;
-    const bool far = late_us > kFarUs || (!awake && late_us < -kFarUs);
-    if (far && ticks_since_join_ == kJoinEvery) {
+    if (late_us > kFarUs && ticks_since_join_ == kJoinEvery) {
       ticks_since_join_ = 0;
       step_us = late_us;
       max_step_us = kMaxJoinUs;
     }
     if (step_us > max_step_us) step_us = max_step_us;
-    if (step_us < -max_step_us) step_us = -max_step_us;
+    if (step_us < -kMaxStepUs) step_us = -kMaxStepUs;
     set_next(next_us_ - static_cast<uint32_t>(step_us));
   }
 
@@ -60,11 +59,11 @@ class Tick {
   static constexpr uint32_t kPeriodUs = 1000;
   /// The sampling points of the windings, wherever the PWM's periods begin: `Converter::measure`.
   static constexpr uint32_t kMeasureUs = 200;
-  /// With work of at most 230 us after it, as much is left before as behind.
+  /// With work of at most 230 us after it, about as much is left before as behind.
   static constexpr uint32_t kWaitUs = 370;
   static constexpr int32_t kShare = 8;
   static constexpr int32_t kMaxStepUs = 5;
-  /// A host is late or early by less, relative to the mean phase that the tick follows.
+  /// A host is early by less, relative to the mean phase that the tick follows.
   static constexpr int32_t kFarUs = 250;
   /// Work that takes longer than the shortened millisecond delays the next one, which makes up.
   static constexpr int32_t kMaxJoinUs = 500;

@@ -24,8 +24,6 @@ const kPwmHz = 20e3;
 const kSupplyRippleA = 15 * 0.010 / (2 * Math.PI * kPwmHz * 1e-6);
 /** By which a sampling point may be beside the middle of the on-time: the drivers' delay is not published (assumed: up to 1 us). */
 const kOffCentreS = 1e-6;
-/** Shorter on-times are over before the sampling point in the worst case: then half the ripple counts. */
-const kShortestShare = 2 * kOffCentreS * kPwmHz;
 
 const sum = (list) => list.reduce((total, [, value]) => total + value, 0);
 export const root = (list) => Math.sqrt(list.reduce((total, [, value]) => total + value * value, 0));
@@ -69,9 +67,9 @@ function inLine(board, types, name, at) {
   // is that of the mean, in the middle of the on-time, in which the current rises by supply (1 - d) / L.
   const bias = circuit.zero > 0
     ? [budget(`${name} bias while driven`, "A", [["1 us from the middle of the on-time, half the supply on", 12 * 0.5 / board.winding.henry * kOffCentreS]]),
-      // Of a current supply d / R.
-      budget(`${name} bias while driven, of the current`, "", [["1 us from the middle of an on-time of 2 us",
-        board.winding.ohm / board.winding.henry * (1 - kShortestShare) / kShortestShare * kOffCentreS]])]
+      // Of a current supply d / R. An on-time below 2 us is over by then: half the ripple, supply d (1 - d) / (L f).
+      budget(`${name} bias while driven, of the current`, "", [["half the ripple at 20 kHz, an on-time below 2 us",
+        board.winding.ohm / (2 * board.winding.henry * kPwmHz)]])]
     : [budget(`${name} bias while driven`, "A", [["half the ripple at 20 kHz, half the supply on", kSupplyRippleA / (4 * kPwmHz * seconds) / 2]])];
   const mean = [["mean of the readings", root(noise) / Math.sqrt(kReadings)]];
   // Both are read through the converter, whose errors are in them; the supply's amplifier cannot show its zero.

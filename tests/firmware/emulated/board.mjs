@@ -30,6 +30,9 @@ const kPauseUs = 300;
 /** MCP3208 at 3.3 V, interpolated from DS21298E. */
 const kMaxSpiHz = 1.26e6;
 const kDeselectedUs = 0.5;
+const kWordBits = 10;
+/** Its control register, but for the divider: mode 0. */
+const kTenBits = kWordBits - 1;
 
 const kSafePins = { pwm: [0, 0, 0], direction: 0, awake: false, closed: false, fan: kFanTop };
 
@@ -43,6 +46,7 @@ export class Board {
     this.busiestCycles = 0; // of the firmware's milliseconds, from one conversion to the next
     this.shownCurrent = undefined; // converter code of winding x's amplifier in place of its current
     this.shownShunt = undefined; // the same of the supply's shunt
+    this.spiPauseClocks = 1; // of the converter's bus, between two words
     this.converterResponds = true; // false: its line is low, as by the pull-down of the microcontroller
     this.slowestPwmUs = 0; // from the start of the rules to their compare values
     this.onSample = () => {}; // called with each winding's current that is converted: { winding, offCentreUs, onTimeUs }
@@ -143,13 +147,13 @@ export class Board {
   attachConverter() {
     const { mcu, chip } = this;
     const spi = mcu.spi[0];
-    let bytes = [];
+    let words = [];
     let selected = true;
     let deselectedUs = -1;
     mcu.gpio[kSelect].addListener(() => {
       if (this.high(kSelect) !== selected) return;
       selected = !selected;
-      bytes = [];
+      words = [];
       if (!selected) {
         deselectedUs = chip.us;
         return;
@@ -159,44 +163,45 @@ export class Board {
         this.measuring = true;
         if (this.busyBefore !== undefined) this.busiestCycles = Math.max(this.busiestCycles, chip.busyCycles - this.busyBefore);
         this.busyBefore = chip.busyCycles;
-        // The firmware has read the fault lines just before this.
-        const faultsLow = this.faultsShown;
         this.stepPlant(kLateUs);
-        this.onTick({ ...this.readings, faultsLow });
+        this.onTick(this.readings);
       }
       this.selectedUs = chip.us;
     });
     let response = 0;
     const done = mcu.clock.createAlarm(() => spi.completeTransmit(response));
     spi.onTransmit = (value) => {
-      if (this.high(kSelect) || spi.control0 !== 7 || !spi.enabled || spi.clockFrequency > kMaxSpiHz)
+      if (this.high(kSelect) || (spi.control0 & 0xff) !== kTenBits || !spi.enabled || spi.clockFrequency > kMaxSpiHz)
         chip.warnings.push('the converter is not spoken to as its data sheet says');
-      bytes.push(value);
-      if (bytes.length === 2) this.noteSample(((bytes[0] & 1) << 2) | (value >> 6), 1e6 / spi.clockFrequency);
-      response = this.converterResponds ? this.converterByte(bytes) : 0;
-      done.schedule((8e9 / spi.clockFrequency) | 0);
+      words.push(value);
+      const clockUs = 1e6 / spi.clockFrequency;
+      if (words.length === 1) this.reportSample((value >> 4) & 7, 7.5 * clockUs);
+      response = this.converterResponds ? this.converterWord(words) : 0;
+      // RP2040 data sheet 4.4.3.10: the first edge after a clock; the select pin, which is not connected, is high for a clock between words.
+      const clocks = kWordBits + 1 + (words.length > 1 ? this.spiPauseClocks : 0);
+      done.schedule((1000 * clocks * clockUs) | 0);
     };
   }
 
-  /** The second of the three bytes begins; the sampling of `input` ends with the falling edge of clock 11 (DS21298E, figure 6-1). */
-  noteSample(input, clockUs) {
+  /** A conversion begins: the sampling of `input` ends `afterUs` from now, with the falling edge of clock 7 (DS21298E, figure 6-1). */
+  reportSample(input, afterUs) {
     if (input > 2) return;
     const { timer, csr } = this.mcu.pwm.channels[input >> 1];
     const compare = this.pins().pwm[input];
     // Around the counter's 0, or from it on.
     const [middle, onTime] = csr & kPhaseCorrect ? [0, 2 * compare] : [compare / 2, compare];
     const periodUs = (timer.top + 1) / kCyclesPerUs;
-    const us = ((timer.counter - middle) / kCyclesPerUs + 2.5 * clockUs + periodUs) % periodUs;
+    const us = ((timer.counter - middle) / kCyclesPerUs + afterUs + periodUs) % periodUs;
     this.onSample({ winding: input, offCentreUs: us < periodUs / 2 ? us : us - periodUs, onTimeUs: onTime / kCyclesPerUs });
   }
 
-  /** DS21298E, figure 6-1; undefined bits are 1. */
-  converterByte(bytes) {
-    if (bytes.length === 1) return 0xff;
-    if ((bytes[0] & 0xfe) !== 0x06) this.chip.warnings.push('no single ended conversion');
+  /** DS21298E, figure 6-1: after a zero, the start bit, single ended, the input; undefined bits are 1. */
+  converterWord(words) {
+    const [request] = words;
+    if ((request & 0x38f) !== 0x180) this.chip.warnings.push('no single ended conversion');
     const { current, shunt, supply, ntc } = this.readings;
-    const value = [this.shownCurrent ?? current[0], current[1], current[2], this.shownShunt ?? shunt, supply, ...ntc][((bytes[0] & 1) << 2) | (bytes[1] >> 6)];
-    return bytes.length === 2 ? 0xe0 | (value >> 8) : value & 0xff;
+    const value = [this.shownCurrent ?? current[0], current[1], current[2], this.shownShunt ?? shunt, supply, ...ntc][(request >> 4) & 7];
+    return words.length === 1 ? 0x3f8 | (value >> 10) : value & 0x3ff;
   }
 
   /** Milliamperes of the true current vector. */

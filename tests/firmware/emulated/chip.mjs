@@ -274,6 +274,8 @@ export class Chip {
    *  event. They are accounted for at once. */
   skipPolling(end) {
     this.polling = false;
+    // Received during the reading itself.
+    if (!this.mcu.spi[0].rxFIFO.empty) return;
     const { core, clock, polled } = this;
     const flags = (core.N ? 8 : 0) | (core.Z ? 4 : 0) | (core.C ? 2 : 0) | (core.V ? 1 : 0);
     const cycles = core.cycles - polled.cycles;

@@ -139,6 +139,26 @@ test('bad packets do not move the millisecond of the board', withBoard((board, d
   assert.ok(Math.abs(mean - 1000) < 0.2, `${mean} us`);
 }));
 
+test('a set-point that is late once does not move the millisecond of the board, awake or asleep', withBoard((board, driver) => {
+  for (const enable of [false, true]) {
+    if (!enable) driver.enumerate();
+    else driver.drive([0.05, 0, 0]);
+    let lateUs = 0;
+    board.host.onFrame = () => {
+      board.after(lateUs, () => board.host.outQueue.push(setPoint(++driver.sequence, { enable, duty: [enable ? 0.05 : 0, 0, 0] })));
+      lateUs = 0;
+    };
+    board.run(kSettlingMs);
+    for (const us of [200, 300, 340]) {
+      board.ticks.length = 0;
+      lateUs = us;
+      board.run(150);
+      const periods = board.ticks.slice(1).map((start, i) => start - board.ticks[i]);
+      assert.ok(Math.min(...periods) > 985 && Math.max(...periods) < 1015, `${us} us late: ${Math.min(...periods)}..${Math.max(...periods)}`);
+    }
+  }
+}));
+
 const kAnyTime = 'a host that sends at any time moves the tick by half a per cent, and by half a millisecond at most once in 100 ticks';
 test(kAnyTime, withBoard((board, driver) => {
   driver.enumerate();
@@ -260,7 +280,7 @@ test('the processor is busy for at most 40 % of each millisecond, and its stack 
     driver.target = { enable: true, duty: [0.1 * (sign = -sign), 0.1 * sign, 0.1] };
   });
   const busy = (what) => `${what}: busy for ${board.busiestCycles} of 125000 cycles (${(board.busiestCycles / 1250).toFixed(1)} %), ` +
-    `PWM ${board.slowestPwmUs.toFixed(0)} us after its start at the latest`;
+    `PWM ${board.slowestPwmUs.toFixed(0)} us after the start of the rules at the latest`;
   console.log(`${busy('worst millisecond')}, stack ${board.chip.stackUsed()} bytes of 4096`);
   // A value below that of the conversions alone would be a measurement error.
   assert.ok(board.busiestCycles > 15_000 && board.busiestCycles <= kMaxCycles, `${board.busiestCycles}`);
