@@ -53,7 +53,7 @@ class PicoPort {
   }
   void apply(const board::PinOutputs& pins) noexcept { set_pins(pins); }
   void send(const uint8_t* frame) noexcept {
-    // A frame of the bus that began during the rules is noted first.
+    // A frame of the bus that began during the rules is handled first.
     usb_.poll();
     usb_.send(frame);
   }

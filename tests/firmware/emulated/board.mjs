@@ -160,7 +160,7 @@ export class Board {
       }
       if (chip.us - deselectedUs < kDeselectedUs) chip.warnings.push('the converter is selected again too soon');
       if (chip.us - this.selectedUs > kPauseUs) {
-        this.measuring = true;
+        this.measuring = true; // until the rules begin
         if (this.busyBefore !== undefined) this.busiestCycles = Math.max(this.busiestCycles, chip.busyCycles - this.busyBefore);
         this.busyBefore = chip.busyCycles;
         this.stepPlant(kLateUs);
