@@ -2,6 +2,7 @@
 """hedgehogd --simulate for the tests of the client libraries, an address that outlives it, and a time limit for processes."""
 
 import hashlib
+import json
 import os
 import re
 import socket
@@ -105,6 +106,7 @@ class ForwardedAddress:
     def __init__(self):
         self._server = socket.create_server(("127.0.0.1", 0))
         self._target = None
+        self._sent = []
         self.text = "127.0.0.1:%d" % self._server.getsockname()[1]
         self._thread = threading.Thread(target=self._accept, daemon=True)
         self._thread.start()
@@ -113,6 +115,10 @@ class ForwardedAddress:
         """Forwards new connections to this daemon; while it does not listen, they are closed."""
         host, _, port = daemon.address.partition(":")
         self._target = (host, int(port))
+
+    def requests(self):
+        """What clients have sent, decoded, of one connection after the other."""
+        return [json.loads(line) for sent in self._sent for line in sent.decode("utf-8").splitlines() if line.strip()]
 
     def end(self):
         self._server.shutdown(socket.SHUT_RDWR)
@@ -134,18 +140,20 @@ class ForwardedAddress:
             except OSError:
                 return
             with daemon:
-                back = threading.Thread(target=self._pump, args=(daemon, client), daemon=True)
+                back = threading.Thread(target=self._pump, args=(daemon, client, bytearray()), daemon=True)
                 back.start()
-                self._pump(client, daemon)
+                self._sent.append(bytearray())
+                self._pump(client, daemon, self._sent[-1])
                 back.join()
 
     @staticmethod
-    def _pump(source, sink):
+    def _pump(source, sink, passed):
         try:
             while True:
                 data = source.recv(1 << 16)
                 if not data:
                     break
+                passed += data
                 sink.sendall(data)
         except OSError:
             pass

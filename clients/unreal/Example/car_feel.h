@@ -15,19 +15,20 @@ class FHedgehogCarFeel {
 
   /// Every frame, 0 to 1 each. False: not connected.
   bool Engine(float Revolutions, float Throttle) {
-    return Ball.Rumble(TEXT("engine"), 0.05f + 0.25f * Throttle, FVector(-1, 0, 0),
-                       30.0f + 60.0f * Revolutions);
+    FHedgehogEffect Effect;
+    Effect.FrequencyHz = 30.0f + 60.0f * Revolutions;
+    Effect.Priority = kEngine;
+    return Ball.RumbleWith(TEXT("engine"), 0.05f + 0.25f * Throttle, FVector(-1, 0, 0), Effect);
   }
 
   /// Every frame while the wheels slide; 0: full grip, 1: no grip. A skid lasts, so it is weaker
   /// than the strongest blow.
   void Skid(float Amount) {
-    FHedgehogEffect Effect = Of(0.14f + 0.36f * Amount, kSkid);
-    Effect.Slot = TEXT("skid");
-    Effect.LeaseMs = 150;
+    FHedgehogEffect Effect;
     Effect.Waveform = EHedgehogWaveform::Square;
     Effect.FrequencyHz = 60;
-    Ball.Vibrate(FVector(0, 0, -1), Effect);
+    Effect.Priority = kSkid;
+    Ball.RumbleWith(TEXT("skid"), 0.5f * Amount, FVector(0, 0, -1), Effect);
   }
 
   /// The clutch has closed: a push from behind.
@@ -54,30 +55,25 @@ class FHedgehogCarFeel {
   /// Eight steps from the perception threshold to full strength are 32 % apart; people notice 13 %
   /// (thesis, experiment 2).
   static constexpr int kSteps = 8;
-  /// Perception threshold relative to full strength, for the ball of the thesis: 2.1 of 15 A.
-  static constexpr double kFelt = 0.14;
   /// Impulses of the first and the last step; Newton seconds.
   static constexpr double kSoftestBlow = 150.0;
   static constexpr double kHardestBlow = 8000.0;
   /// One blow in 0.25 s, except for a harder one.
   static constexpr double kApartS = 0.25;
-  /// Of two effects only the one of higher priority is felt; of the same, both. The engine's rumble
-  /// has the default, 5: the push of a gear is added to it.
-  static constexpr int kGear = 5;
-  static constexpr int kSkid = 6;
+  /// Of two effects only the one of higher priority is felt; of the same, both.
+  static constexpr int kEngine = 3;
+  static constexpr int kGear = 4;
+  static constexpr int kSkid = 5;
   static constexpr int kBlow = 7;
 
-  static FHedgehogEffect Of(float Level, int Priority) {
-    FHedgehogEffect Effect;
-    Effect.Level = Level;
-    Effect.Priority = Priority;
-    return Effect;
-  }
-
   void Pulse(FVector Side, int Step, float DurationMs, int Priority) {
-    const double Level = kFelt * std::pow(1.0 / kFelt, static_cast<double>(Step) / (kSteps - 1));
-    FHedgehogEffect Effect = Of(static_cast<float>(Level), Priority);
+    if (!Ball.IsBallConnected()) return;
+    const float FeltA = Ball.FeltA();
+    FHedgehogEffect Effect;
+    Effect.CurrentA =
+        FeltA * std::pow(Ball.FullA() / FeltA, static_cast<float>(Step) / (kSteps - 1));
     Effect.DurationMs = DurationMs;
+    Effect.Priority = Priority;
     Ball.Pulse(Side, Effect);
   }
 

@@ -97,11 +97,28 @@ TStatId UHedgehogSubsystem::GetStatId() const {
 
 bool UHedgehogSubsystem::IsBallConnected() const { return Client != nullptr && Client->is_open(); }
 
+float UHedgehogSubsystem::FeltA() const { return Limit("felt_a"); }
+
+float UHedgehogSubsystem::FullA() const { return Limit("current_a"); }
+
+float UHedgehogSubsystem::Limit(const char* Name) const {
+  return Client == nullptr ? 0.0f : static_cast<float>(Client->hello()["limits"][Name].number());
+}
+
 bool UHedgehogSubsystem::Rumble(const FString& Slot, float Strength, FVector Direction,
                                 float FrequencyHz) {
-  const Json Params = Json::object({{"frequency_hz", static_cast<double>(FrequencyHz)}});
-  return Client != nullptr &&
-         Client->rumble(ToUtf8(Slot), static_cast<double>(Strength), ToJson(Direction), Params);
+  FHedgehogEffect Effect;
+  Effect.FrequencyHz = FrequencyHz;
+  return RumbleWith(Slot, Strength, Direction, Effect);
+}
+
+bool UHedgehogSubsystem::RumbleWith(const FString& Slot, float Strength, FVector Direction,
+                                    const FHedgehogEffect& Effect) {
+  FHedgehogEffect Further = Effect;
+  Further.CurrentA = -1.0f;
+  Further.ForceN = -1.0f;
+  return Client != nullptr && Client->rumble(ToUtf8(Slot), static_cast<double>(Strength),
+                                             ToJson(Direction), HedgehogToJson(Further));
 }
 
 void UHedgehogSubsystem::Pulse(FVector Direction, const FHedgehogEffect& Effect) {

@@ -53,11 +53,23 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   UFUNCTION(BlueprintPure, Category = "Hedgehog")
   bool IsBallConnected() const;
 
+  /// Current at the perception threshold, and the strongest of this game (limits.felt_a and
+  /// limits.current_a of hello), in ampere; 0: not connected.
+  UFUNCTION(BlueprintPure, Category = "Hedgehog")
+  float FeltA() const;
+  UFUNCTION(BlueprintPure, Category = "Hedgehog")
+  float FullA() const;
+
   /// A vibration that lasts while this is called every frame, and ends automatically 250 ms after
   /// the last call. Strength 0 to 1 starts at the perception threshold; 0 ends it. False: not
   /// connected.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   bool Rumble(const FString& Slot, float Strength, FVector Direction, float FrequencyHz = 60.0f);
+  /// The same with further members of the effect: waveform, priority, another lease. Its slot and
+  /// strength are not used.
+  UFUNCTION(BlueprintCallable, Category = "Hedgehog")
+  bool RumbleWith(const FString& Slot, float Strength, FVector Direction,
+                  const FHedgehogEffect& Effect);
 
   /// One push towards a direction.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog", meta = (AutoCreateRefTerm = "Effect"))
@@ -120,6 +132,7 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   float TimeoutS = 2.0f;
 
  private:
+  float Limit(const char* Name) const;
   void Start(const char* Method, const hedgehog::unreal::Json& Params);
   void Refuse(const char* Method, const hedgehog::unreal::Answer& Answer);
 
