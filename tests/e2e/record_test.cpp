@@ -4,20 +4,32 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "model/quaternion.h"
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/exit_codes.h"
+#include "tests/e2e/json_vector.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
 
+using model::axis_angle;
+using model::Quaternion;
 using testing::HasSubstr;
+
+/// Up for half a second, then once up and down each second.
+double wave(double t_s) { return t_s < 0.5 ? 0.0 : std::sin(2.0 * 3.14159265358979 * (t_s - 0.5)); }
 
 class Record : public testing::Test {
  protected:
@@ -28,6 +40,26 @@ class Record : public testing::Test {
   }
   Ended ctl(const DaemonProcess& daemon, const std::vector<std::string>& arguments) const {
     return Program(home_, hedgehogctl(), arguments, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+  }
+  /// Two seconds, in which the ball is turned by what it is given for the seconds since the start.
+  Ended record_turning(const DaemonProcess& daemon, std::vector<std::string> more,
+                       const std::function<Quaternion(double)>& turned) const {
+    RawClient other(daemon.port());
+    const auto turn = [&other](const Quaternion& q) {
+      other.call("sim.set",
+                 {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
+    };
+    const auto now_s = [&other] { return other.call("ping")["time_ns"].get<double>() * 1e-9; };
+    turn(turned(0.0));
+    const double before_s = now_s();
+    while (now_s() < before_s + 0.2) continue;
+    more.insert(more.end(), {"--seconds", "2"});
+    Program program(home_, hedgehogctl(), record(more), {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+    EXPECT_TRUE(
+        eventually([&] { return other.call("connection.list")["connections"].size() == 2; }));
+    const double start_s = now_s();
+    while (!has_ended(program)) turn(turned(now_s() - start_s));
+    return program.wait();
   }
   Json pattern() const { return Json::parse(home_.read("path.json")); }
   bool is_written() const { return std::filesystem::exists(file_); }
@@ -48,6 +80,33 @@ TEST_F(Record, ABallAtRestIsAPatternOfItsFrontThatPlays) {
     EXPECT_EQ(frame["level"], 0.5);
   }
   EXPECT_EQ(ctl(daemon, {"play", file_}).exit_code, 0);
+}
+
+TEST_F(Record, ATiltIsRelativeToTheOrientationAtTheBeginningAndThePointerSaysWhatPoints) {
+  const DaemonProcess daemon(home_);
+  // It lies turned to the left, and is tilted by 60 degrees round the room's front: its own back
+  // goes down, by its own axes.
+  const Quaternion turned_left = axis_angle({0, 0, 1}, 90);
+  const Ended ended = record_turning(daemon, {"--pointer", "up"}, [&](double t_s) {
+    return axis_angle({1, 0, 0}, 60.0 * std::clamp(t_s - 0.5, 0.0, 1.0)) * turned_left;
+  });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const Json frames = pattern()["keyframes"];
+  EXPECT_GT(dot(vector_of(frames.front()["direction"]), {0, 0, 1}), 0.999) << frames.front();
+  EXPECT_GT(dot(vector_of(frames.back()["direction"]), {-0.866, 0, 0.5}), 0.999) << frames.back();
+}
+
+TEST_F(Record, WhatIsWithinTheToleranceIsLeftOut) {
+  const DaemonProcess daemon(home_);
+  const auto nod = [](double t_s) { return axis_angle({0, 1, 0}, 12.0 * wave(t_s)); };
+  const Ended rough = record_turning(daemon, {"--tolerance-deg", "30"}, nod);
+  ASSERT_EQ(rough.exit_code, 0) << rough.err;
+  EXPECT_EQ(Json::parse(rough.out)["keyframes"], 2);
+  EXPECT_GT(Json::parse(rough.out)["error_deg"], 8);
+  const Ended fine = record_turning(daemon, {"--tolerance-deg", "1", "--force"}, nod);
+  ASSERT_EQ(fine.exit_code, 0) << fine.err;
+  EXPECT_GT(Json::parse(fine.out)["keyframes"], 4);
+  EXPECT_LE(Json::parse(fine.out)["error_deg"], 1);
 }
 
 TEST_F(Record, EndsByItselfAfterAMinuteOfTheBallsTime) {
