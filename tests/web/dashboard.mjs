@@ -47,4 +47,11 @@ export async function open(path = "/", device = kDesktop, prepare = () => {}) {
   await page.waitForFunction(() => window.dashboard.ball.pins.length === 86, null, kTimeout);
 }
 
+/** What a page that is being opened will send, in an array that grows. */
+export function messagesOf(opened) {
+  const sent = [];
+  opened.on("websocket", (socket) => socket.on("framesent", ({ payload }) => sent.push(...[JSON.parse(payload)].flat())));
+  return sent;
+}
+
 export const until = (condition, argument) => page.waitForFunction(condition, argument, kTimeout);

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { kDesktop, kPhone } from "./browser.mjs";
-import { daemon, open, page, until } from "./dashboard.mjs";
+import { daemon, messagesOf, open, page, until } from "./dashboard.mjs";
 import { eventually } from "./timeouts.mjs";
 
 const frames = () => page.evaluate(() => window.dashboard.frames());
@@ -169,9 +169,8 @@ test("a saved file is accepted by the daemon and loaded by this page", async () 
 });
 
 test("a file's wave is forecast, played, kept and saved, with the members that this page does not know", async () => {
-  const sent = [];
-  await open("/designer.html", kDesktop, async (opened) => opened.on("websocket", (socket) =>
-    socket.on("framesent", ({ payload }) => sent.push(...[JSON.parse(payload)].flat()))));
+  let sent;
+  await open("/designer.html", kDesktop, (opened) => { sent = messagesOf(opened); });
   const file = { name: "acme/blink", description: "On and off.", waveform: "square", frequency_hz: 2, on_fraction: 0.5,
     keyframes: [{ t_ms: 0, direction: [1, 0, 0], level: 1 }, { t_ms: 1000, direction: [1, 0, 0], level: 1 }] };
   const load = (pattern) => page.locator("#load").setInputFiles({

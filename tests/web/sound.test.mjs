@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
-import { daemon, open, page, until } from "./dashboard.mjs";
+import { daemon, messagesOf, open, page, until } from "./dashboard.mjs";
 import { eventually } from "./timeouts.mjs";
 
 /** 16 bit, two channels, 48 kHz. */
@@ -21,17 +21,23 @@ function wav(seconds, sound) {
   return bytes;
 }
 
-test("a sound file vibrates where its low tone is and pushes where it clicks", async () => {
-  await open("/designer.html");
+test("a sound file vibrates where its low tone is and pushes where its high tones begin", async () => {
+  let sent;
+  await open("/designer.html", kDesktop, (opened) => { sent = messagesOf(opened); });
   assert.equal((await daemon.call("device.status")).effects.length, 0, "off until it is started");
-  const click = (t) => (t % 0.5 < 0.005 ? Math.exp((-t % 0.5) / 0.001) * Math.cos(2 * Math.PI * 2000 * (t % 0.5)) : 0);
+  // The low tone grows, so that it has no onset. Both it and the pauses are longer than the windows of a busy machine.
+  const low = (t) => 0.5 * Math.min(1, t) * Math.sin(2 * Math.PI * 60 * t);
+  const high = (t) => (t % 4 > 1 && t % 4 < 2.5 ? 0.5 * Math.sin(2 * Math.PI * 2000 * t) : 0);
   // Longer than a busy machine needs for the following steps: a sound that has ended cannot be stopped.
-  const buffer = wav(20, (t) => [0.5 * Math.sin(2 * Math.PI * 60 * t), click(t)]);
+  const buffer = wav(20, (t) => [low(t), high(t)]);
   await page.locator("#sound").setInputFiles({ name: "s.wav", mimeType: "audio/wav", buffer });
   await eventually(async () => (await daemon.call("device.status")).effects.some(({ slot }) => slot === "sound"));
   await until(() => (window.dashboard.ball.extension(34) ?? 0) > 0.01);
   await until(() => /^\d+ push/.test(document.getElementById("heard").textContent));
   await eventually(async () => await daemon.ended("completed") > 0);
+  const sides = (name) => sent.filter(({ method }) => method === name).map(({ params }) => params.direction.azimuth_deg);
+  assert.ok(sides("effect.pulse").every((azimuth) => azimuth < -80), `begins on the right: ${sides("effect.pulse")}`);
+  assert.ok(sides("effect.vibrate").some((azimuth) => azimuth > 45), `the tone is on the left: ${sides("effect.vibrate")}`);
   await page.getByRole("button", { name: "End the sound" }).click();
   await eventually(async () => (await daemon.call("device.status")).effects.length === 0);
 });
