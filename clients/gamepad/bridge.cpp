@@ -151,6 +151,7 @@ void Bridge::take(const client::Notification& notification, TimePoint now) {
   telemetry_due_ = now + Milliseconds(kStaleMs);
   const auto& orientation = message->telemetry.status.orientation;
   const bool known = orientation && orientation->age_ms <= kStaleMs;
+  if (known && !axes_.has_centre()) report_("the ball's present tilt is the centre of the stick");
   move_stick(known ? axes_.position(orientation->up) : StickPosition{});
 }
 

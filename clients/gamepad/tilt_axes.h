@@ -33,6 +33,7 @@ class TiltAxes {
 
   /// The orientation at the next `position` becomes the centre.
   void recentre() noexcept { neutral_.reset(); }
+  bool has_centre() const noexcept { return neutral_.has_value(); }
   /// `up`: the unit vector against gravity in the device frame (x forward, y left, z up).
   StickPosition position(const model::Vec3& up);
 

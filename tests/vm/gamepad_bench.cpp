@@ -8,6 +8,37 @@
 
 namespace hedgehog::vm {
 
+ff_effect constant(int direction, int level, int length_ms) {
+  ff_effect effect{};
+  effect.type = FF_CONSTANT;
+  effect.id = -1;
+  effect.direction = static_cast<std::uint16_t>(direction);
+  effect.replay.length = static_cast<std::uint16_t>(length_ms);
+  effect.u.constant.level = static_cast<std::int16_t>(level);
+  return effect;
+}
+
+ff_effect wave(int waveform, int direction) {
+  ff_effect effect{};
+  effect.type = FF_PERIODIC;
+  effect.id = -1;
+  effect.direction = static_cast<std::uint16_t>(direction);
+  effect.u.periodic.waveform = static_cast<std::uint16_t>(waveform);
+  effect.u.periodic.period = 50;
+  effect.u.periodic.magnitude = kFull;
+  return effect;
+}
+
+bool stick_reaches(const EventNode& game, int x, int y) {
+  const auto reached = [](int value, int goal) {
+    if (goal == 0) return value == 0;
+    return goal > 0 ? value >= goal : value <= goal;
+  };
+  while (!reached(game.axis(ABS_X).value, x) || !reached(game.axis(ABS_Y).value, y))
+    if (!game.next()) return false;
+  return true;
+}
+
 GamepadBench::GamepadBench() {
   // Without a configuration the daemon simulates a ball.
   daemon_.emplace(home_);
@@ -19,7 +50,7 @@ void GamepadBench::begin(const std::vector<std::string>& options, const std::str
   std::vector<std::string> words{e2e::hedgehog_gamepad()};
   words.insert(words.end(), options.begin(), options.end());
   bridge_.emplace(words, home_.environment(), home_.path("bridge"), user);
-  ASSERT_TRUE(bridge_logs("connected to")) << bridge_log();
+  ASSERT_TRUE(bridge_logs("is the centre of the stick")) << bridge_log();
   ASSERT_FALSE(node().empty()) << shell("ls -l /dev/input");
 }
 

@@ -3,6 +3,8 @@
 // the ball's effects.
 #pragma once
 
+#include <linux/input.h>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +25,17 @@ inline constexpr model::Vec3 kDown{0, 0, -1};
 
 /// The name of hedgehog-gamepad's input device.
 inline constexpr const char* kGamepadName = "Hedgehog haptic ball";
+
+inline constexpr int kFull = 0x7fff;
+
+/// As a game writes it; not uploaded yet.
+ff_effect constant(int direction, int level, int length_ms = 0);
+/// Of full magnitude, 20 Hz.
+ff_effect wave(int waveform, int direction);
+
+/// True once both of the stick's axes are at or beyond these values, in the sense of their sign;
+/// zero: exactly.
+bool stick_reaches(const EventNode& game, int x, int y);
 
 class GamepadBench : public testing::Test {
  protected:

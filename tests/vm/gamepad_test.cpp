@@ -10,29 +10,6 @@
 namespace hedgehog::vm {
 namespace {
 
-constexpr int kFull = 0x7fff;
-
-ff_effect constant(int direction, int level, int length_ms = 0) {
-  ff_effect effect{};
-  effect.type = FF_CONSTANT;
-  effect.id = -1;
-  effect.direction = static_cast<std::uint16_t>(direction);
-  effect.replay.length = static_cast<std::uint16_t>(length_ms);
-  effect.u.constant.level = static_cast<std::int16_t>(level);
-  return effect;
-}
-
-ff_effect wave(int waveform, int direction) {
-  ff_effect effect{};
-  effect.type = FF_PERIODIC;
-  effect.id = -1;
-  effect.direction = static_cast<std::uint16_t>(direction);
-  effect.u.periodic.waveform = static_cast<std::uint16_t>(waveform);
-  effect.u.periodic.period = 50;
-  effect.u.periodic.magnitude = kFull;
-  return effect;
-}
-
 class GamepadNode : public GamepadBench {
  protected:
   void SetUp() override {
@@ -40,17 +17,7 @@ class GamepadNode : public GamepadBench {
     if (HasFatalFailure()) return;
     game_.emplace(node());
   }
-  /// True once both of the stick's axes are at or beyond these values, in the sense of their sign;
-  /// zero: exactly.
-  bool stick_reaches(int x, int y) {
-    const auto reached = [](int value, int goal) {
-      if (goal == 0) return value == 0;
-      return goal > 0 ? value >= goal : value <= goal;
-    };
-    while (!reached(game_->axis(ABS_X).value, x) || !reached(game_->axis(ABS_Y).value, y))
-      if (!game_->next()) return false;
-    return true;
-  }
+  bool stick_reaches(int x, int y) const { return vm::stick_reaches(*game_, x, y); }
 
   std::optional<EventNode> game_;
 };
@@ -88,6 +55,15 @@ TEST_F(GamepadNode, TheStickFollowsTheBall) {
   EXPECT_TRUE(stick_reaches(0, kFar)) << "tilted to the back";
   turn({});
   EXPECT_TRUE(stick_reaches(0, 0));
+}
+
+TEST_F(GamepadNode, ASignalTakesThePresentTiltAsTheCentre) {
+  turn(model::axis_angle(kFront, 60));
+  ASSERT_TRUE(stick_reaches(30'000, 0));
+  ::kill(bridge_->pid(), SIGUSR1);
+  EXPECT_TRUE(stick_reaches(0, 0));
+  turn({});
+  EXPECT_TRUE(stick_reaches(-30'000, 0)) << "upright is to the left of it";
 }
 
 TEST_F(GamepadNode, AForcePushesTheSideItComesFromAndAnUpdateMovesIt) {
