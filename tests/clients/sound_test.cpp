@@ -5,7 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <sys/stat.h>
+#include <sndfile.hh>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -44,6 +46,23 @@ std::vector<Push> pushes_of(const std::vector<Slice>& slices) {
         pushes.push_back({static_cast<double>(slice.start_ms + frame.t_ms),
                           std::get<protocol::Angles>(*frame.direction).azimuth_deg, frame.level});
   return pushes;
+}
+
+/// Whether any slice vibrates.
+bool vibrates(const std::vector<Slice>& slices) {
+  return std::any_of(
+      slices.begin(), slices.end(),
+      [](const Slice& one) {
+        return std::any_of(
+            one.vibration.begin(), one.vibration.end(),
+            [](const protocol::Keyframe& frame) { return frame.level > 0.2; });
+      });
+}
+
+TEST(Sound, TheCrossoverSaysWhichTonesVibrate) {
+  const Sound tone = [](double t) { return std::pair(0.5 * sine(t, 200.0), 0.5 * sine(t, 200.0)); };
+  EXPECT_FALSE(vibrates(slices_of(1.0, tone, {.low_hz = 100.0})));
+  EXPECT_TRUE(vibrates(slices_of(1.0, tone, {.low_hz = 250.0})));
 }
 
 TEST(Sound, ClicksBecomePushesAtTheirTime) {
@@ -149,6 +168,36 @@ RC_GTEST_PROP(Sound, KeyFramesAreAcceptedByTheDaemon, (std::vector<int> heights)
       for (const protocol::Keyframe& frame : *frames)
         RC_ASSERT(frame.level >= 0.0 && frame.level <= 1.0);
     }
+  }
+}
+
+/// A second of two channels, written in a format of libsndfile's.
+void write_sound(const std::string& path, int format, const Sound& sound) {
+  SndfileHandle file(path, SFM_WRITE, format, 2, client::kWavRateHz);
+  ASSERT_EQ(file.error(), 0) << file.strError();
+  std::vector<float> samples;
+  for (int i = 0; i < client::kWavRateHz; ++i) {
+    const auto [left, right] = sound(static_cast<double>(i) / client::kWavRateHz);
+    samples.push_back(static_cast<float>(left));
+    samples.push_back(static_cast<float>(right));
+  }
+  ASSERT_EQ(file.writef(samples.data(), client::kWavRateHz), client::kWavRateHz);
+}
+
+TEST(SoundFile, EveryFormatOfTheReadmeGivesTheSamePushes) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("sound");
+  for (const int format :
+       {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, SF_FORMAT_OGG | SF_FORMAT_VORBIS,
+        SF_FORMAT_AIFF | SF_FORMAT_PCM_16, SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III}) {
+    write_sound(path, format, [](double t) { return std::pair(0.8 * click(t, 0.4), 0.0); });
+    SliceReader reader(SoundFile::open(path).value(), {});
+    std::vector<Slice> slices;
+    while (auto slice = reader.next()) slices.push_back(*std::move(slice));
+    const auto pushes = pushes_of(slices);
+    ASSERT_EQ(pushes.size(), 1u) << std::hex << format;
+    EXPECT_NEAR(pushes[0].at_ms, 400.0, 60.0) << std::hex << format;
+    EXPECT_NEAR(pushes[0].azimuth_deg, 90.0, 5.0) << std::hex << format;
   }
 }
 

@@ -20,9 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Milliseconds kSlowTimeout{3'000};
-constexpr const char* kSlow = "a slow response ends the connection, the next call makes a new one";
-
 void expect(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error("not so: " + what);
 }
@@ -153,9 +150,10 @@ template <class Library>
 void play_case(const std::string& folder, const json& one) {
   const std::string name = one["name"];
   FakeDaemon daemon(folder, name, one.value("environment", json::object()));
+  const Milliseconds timeout{one.contains("timeout_s") ? 1000 * one["timeout_s"].get<int>()
+                                                       : kTimeout.count()};
   {
-    Library library(daemon.address(),
-                    {.name = "conformance", .timeout = name == kSlow ? kSlowTimeout : kTimeout});
+    Library library(daemon.address(), {.name = "conformance", .timeout = timeout});
     const auto opened = library.open();
     if (!one["client"][0].contains("open"))
       expect(opened.has_value(), opened ? "" : opened.error().message);

@@ -7,8 +7,10 @@ import json
 import logging
 import os
 import pathlib
+import socket
 import subprocess
 import sys
+import threading
 import time
 import unittest
 from unittest import mock
@@ -25,7 +27,6 @@ TIMEOUT_S = 60.0
 FLOOD_BYTES = 30_000
 # Far more than what the kernel and the library keep.
 FLOOD_LINES = 2000
-SLOW = "a slow response ends the connection, the next call makes a new one"
 
 
 class Daemon:
@@ -40,7 +41,7 @@ class Daemon:
 
 
 def timeout_of(case):
-    return 3.0 if case["name"] == SLOW else TIMEOUT_S
+    return case.get("timeout_s", TIMEOUT_S)
 
 
 class Reports:
@@ -243,6 +244,28 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
                 ball.ping()
             asyncio.run(self.again(Blocking(ball), "ping"))
 
+    def test_a_notification_waits_for_the_timeout_while_the_daemon_does_not_read(self):
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            connections = []
+
+            def greet():
+                connections.append(server.accept()[0])
+                hello = json.loads(connections[0].makefile().readline())
+                connections[0].sendall(json.dumps({"jsonrpc": "2.0", "id": hello["id"], "result": {"protocol": "1.0"}}).encode() + b"\n")
+
+            daemon = threading.Thread(target=greet)
+            daemon.start()
+            with hedgehog.Ball("127.0.0.1:%d" % server.getsockname()[1], timeout_s=1.0) as ball:
+                daemon.join()
+                sent = [True]
+                while sent[-1] and len(sent) < FLOOD_LINES:
+                    began = time.monotonic()
+                    sent.append(ball.notify("of_the_future", text="x" * FLOOD_BYTES))
+                self.assertFalse(sent[-1], "what the kernel does not keep")
+                self.assertGreaterEqual(time.monotonic() - began, 1.0)
+                self.assertFalse(ball.notify("of_the_future"), "there is no connection any more")
+            connections[0].close()
+
     async def play(self, case, library):
         environment = mock.patch.dict(os.environ, case.get("environment", {}))
         environment.start()
@@ -250,7 +273,7 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
         daemon = Daemon(case)
         steps = case["client"]
         if "open" in steps[0]:
-            await self.outcome(steps[0], lambda: library.open(daemon.address, TIMEOUT_S))
+            await self.outcome(steps[0], lambda: library.open(daemon.address, timeout_of(case)))
         else:
             await library.open(daemon.address, timeout_of(case))
             for step in steps:

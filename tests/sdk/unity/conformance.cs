@@ -10,8 +10,6 @@ internal static partial class Conformance
 {
     // Of calls; a case in which the daemon never answers takes so long.
     private const double TimeoutS = 60.0;
-    private const double SlowTimeoutS = 3.0;
-    private const string Slow = "a slow response ends the connection, the next call makes a new one";
 
     private static string folder;
 
@@ -51,7 +49,7 @@ internal static partial class Conformance
             Json steps = one["client"];
             Json environment = one["environment"];
             for (int i = 0; i < environment.Count; ++i) Environment.SetEnvironmentVariable(environment.NameAt(i), environment[i].Text);
-            double timeoutS = name == Slow ? SlowTimeoutS : TimeoutS;
+            double timeoutS = one.Has("timeout_s") ? one["timeout_s"].Number : TimeoutS;
             Library library = blocking ? (Library)new BlockingLibrary() : new TaskLibrary();
             if (steps[0].Has("open"))
             {
