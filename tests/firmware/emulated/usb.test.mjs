@@ -110,6 +110,22 @@ test('a suspended bus is the dead-man’s, and the board wakes with it', withBoa
   assert.equal(driver.last.mode, kMode.latched);
 }));
 
+test('a packet that waits for the next frame is armed when none comes for 2 ms, before the bus is suspended', withBoard((board, driver) => {
+  driver.enumerate();
+  // Telemetry is due 0.85 ms after the start of a frame, where erratum E15 forbids it.
+  const send = board.host.onFrame;
+  board.host.onFrame = (host) => board.after(250, () => send(host));
+  board.run(300);
+  board.host.frames = false;
+  const { frameUs } = board.host;
+  const at = (us) => board.run((frameUs + us) / 1000 - board.chip.us / 1000);
+  at(1700);
+  assert.equal(board.host.armed(1), false);
+  at(2950);
+  assert.equal(board.host.armed(1), true);
+  assert.equal(board.host.suspended, false);
+}));
+
 test('the bus’s power that it asks for is what the netlist’s parts draw, or more', withBoard((board, driver) => {
   const { configuration } = driver.enumerate();
   const reference = readBoard('reference');

@@ -165,6 +165,9 @@ export class UsbHost {
     return (this.mcu.usbDPRAMView.getUint32(8 * endpoint + (out ? 4 : 0), true) & kEnabled) !== 0;
   }
 
+  /** Whether a packet of the device waits in the buffer of this endpoint. */
+  armed(endpoint) { return (this.mcu.usbDPRAMView.getUint32(0x80 + 8 * endpoint, true) & kAvailable) !== 0; }
+
   /** The response to a token: 'none', 'stall', 'nak', or the armed buffer control. */
   token(endpoint, out) {
     if (!this.listens() || !this.enabled(endpoint, out)) return 'none';
