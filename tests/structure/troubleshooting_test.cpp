@@ -17,8 +17,8 @@ constexpr const char* kOfDaemon = "daemon/troubleshooting.md";
 constexpr const char* kOfClients = "clients/troubleshooting.md";
 constexpr const char* kOfStudy = "clients/study/troubleshooting.md";
 
-/// Of hedgehogctl, hedgehog-racer and hedgehog-design a message names its remedy itself, or the
-/// mistake in an option. The same holds for mistakes in a configuration or an experiment's file,
+/// Of hedgehogctl's other verbs, hedgehog-racer, hedgehog-orientation and hedgehog-design a message
+/// names its remedy itself, or the mistake in an option. The same holds for mistakes in a configuration or an experiment's file,
 /// which are printed with file, line and key.
 std::vector<ProgramMessages> programs() {
   return {
@@ -33,6 +33,10 @@ std::vector<ProgramMessages> programs() {
        {"ClientError(", "return {Failure::", "fail_attempt(", "not_found("},
        kOfClients,
        {}},
+      {"clients/ctl/tunnel/",
+       {"Failure::kNoDaemon, ", "Failure::kProtocol, ", "Failure::kClosed, ", "message += "},
+       kOfClients,
+       {{"there is no address", "one of the addresses has failed, or there is no ball"}}},
       {"clients/mqtt/",
        {"Problem(", "report_once(", "ClientError(", "protocol::error(", "protocol::busy("},
        kOfClients,

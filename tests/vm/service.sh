@@ -152,6 +152,9 @@ page = urllib.request.Request("https://192.0.2.7:7587/metrics", headers={"Author
 assert b"hedgehog_build_info" in urllib.request.urlopen(page, timeout=60, context=ssl._create_unverified_context()).read()'
 }
 eventually scraped
+# As it runs, with that socket and TLS.
+systemd-analyze security --threshold=15 hedgehogd >/tmp/out || fail "its exposure is above 1.5: $(cat /tmp/out)"
+tail -n 1 /tmp/out
 # Avahi, which the restricted service asks by D-Bus, announces it while it runs.
 ip link set lo multicast on
 systemctl start avahi-daemon
