@@ -61,7 +61,7 @@ help:
 	@echo 'make bench      the daemon beside reference programs, as one table (also build/bench.json), after benchmarks of its functions'
 	@echo 'make tls-latency  round trips and new connections over TLS beside TCP'
 	@echo 'make bench-compare REV=main  this tree beside another revision, in the same rounds'
-	@echo 'make instructions  instructions of each request and tick, within 2 % of what is written; make instructions-write writes them'
+	@echo 'make instructions  instructions of three requests and a tick, within 2 % of what is written; make instructions-write writes them'
 	@echo 'make stress     all tests ROUNDS=5 times on a busy machine (half an hour a round and more)'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
@@ -412,8 +412,11 @@ coverage: dev
 BENCH := build/bench/tests/bench
 bench: $(CONFIGURED_BENCH) build/.packages-bench build/.packages-stress
 	@$(LOCK_BENCH) $(BUILD_BENCH) --target benchmarks
-	@set -e; for program in $(BENCH)/bench_*; do "$$program" --benchmark_min_time=0.2; done
-	@$(BENCH)/rounds --out build/bench.json $(ARGS)
+	@rm -rf build/bench-functions && mkdir build/bench-functions
+	@set -e; begun=$$(date +%s); for program in $(BENCH)/bench_*; do \
+	  "$$program" --benchmark_min_time=0.2 --benchmark_out=build/bench-functions/$${program##*/bench_}.json; done; \
+	$(BENCH)/rounds --out build/bench.json --functions build/bench-functions --commit "$$(git describe --always --dirty)" \
+	  --limit $$((570 - $$(date +%s) + begun)) $(ARGS)
 
 # This tree's build beside that of revision REV.
 REV ?= HEAD

@@ -45,15 +45,16 @@ void ControlTick::run(model::Tick tick, std::uint32_t skipped,
   if (recorder_ != nullptr) recorder_->before(controller_, inputs_);
   const device::BoardCommand command = controller_.step(inputs_, events_);
   send(command);
+  const std::int64_t sent_ns = inputs_.command_count > 0 ? device::monotonic_ns() : 0;
   if (recorder_ != nullptr) recorder_->after(controller_, command, events_);
   publish();
   controller_.fill(snapshot_);
   snapshot_.loop = statistics;
-  add_up(skipped);
+  add_up(skipped, sent_ns);
   mailbox_.status.write(snapshot_);
 }
 
-void ControlTick::add_up(std::uint32_t skipped) noexcept {
+void ControlTick::add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept {
   Totals& totals = snapshot_.totals;
   const double seconds = (1.0 + skipped) * model::kTickSeconds;
   if (snapshot_.board_present) {
@@ -65,13 +66,12 @@ void ControlTick::add_up(std::uint32_t skipped) noexcept {
   }
   totals.derated_s += snapshot_.derating ? seconds : 0.0;
   if (inputs_.command_count == 0) return;
-  const std::int64_t now_ns = device::monotonic_ns();
   for (std::uint16_t i = 0; i < inputs_.command_count; ++i) {
     const std::int64_t asked_ns = mailbox_.request_times.of(inputs_.commands[i].seq).received_ns;
     // 0: the command did not come through the outbox.
-    if (asked_ns != 0) totals.request_to_coil.add(now_ns - asked_ns);
+    if (asked_ns != 0) totals.request_to_coil.add(sent_ns - asked_ns);
   }
-  latency_.applied(inputs_, mailbox_.request_times, sent_, now_ns);
+  latency_.applied(inputs_, mailbox_.request_times, sent_, sent_ns);
 }
 
 void ControlTick::send(const device::BoardCommand& command) noexcept {

@@ -38,7 +38,8 @@ class ControlTick {
 
  private:
   void gather(model::Tick tick, std::uint32_t skipped) noexcept;
-  void add_up(std::uint32_t skipped) noexcept;
+  /// `sent_ns`: when the command was handed over, if requests have arrived.
+  void add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept;
   void send(const device::BoardCommand& command) noexcept;
   void publish() noexcept;
   bool publish(const Event& event) noexcept;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# check.sh PROGRAM [--write]: compares the instructions of each request and tick, counted by callgrind, with
+# check.sh PROGRAM [--write]: compares the instructions of three requests, a tick and a pump, counted by callgrind, with
 # instructions.json: a deviation of more than 2 % in either direction is an error. --write: writes that file instead. Counts
 # depend on compiler and C library; the check is skipped where they differ from those in the file.
 # Exit: 0 equal, or skipped; 1 a deviation; 64 usage; 69 no callgrind.

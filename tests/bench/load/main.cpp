@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measures the daemon against reference programs, or against another revision, in rounds.
 #include <sys/resource.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,8 +12,10 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "base/wall_time.h"
 #include "cli/program.h"
 #include "tests/bench/load/results.h"
 #include "tests/bench/load/scenarios.h"
@@ -29,6 +32,8 @@ struct Options {
   std::string revision = "other";
   std::string out;
   std::string only;
+  std::string commit;
+  std::string functions;
   int rounds = 7;
   double seconds = 1.0;
   double limit_s = 420.0;
@@ -47,7 +52,22 @@ void add_options(const hedgehog::cli::CommandSpec& app, Options& options) {
   app.add_option("--other", options.other, "Compare with the daemon of this build folder");
   app.add_option("--revision", options.revision, "What the table calls it");
   app.add_option("--out", options.out, "Write the figures to this file, as JSON");
+  app.add_option("--commit", options.commit, "What the figures are of, for the JSON");
+  app.add_option("--functions", options.functions,
+                 "Folder with the JSON of Google Benchmark, which is added");
   app.add_flag("--json", options.json, "Print them so, instead of a table");
+}
+
+bench::Run run_of(const Options& options, std::size_t rounds) {
+  utsname system{};
+  ::uname(&system);
+  return {.rounds = rounds,
+          .seconds = options.seconds,
+          .commit = options.commit,
+          .date = hedgehog::base::rfc3339(hedgehog::base::unix_ms_now()),
+          .machine = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine +
+                     ", " + std::to_string(std::thread::hardware_concurrency()) + " processors",
+          .functions = options.functions};
 }
 
 /// Each subscriber takes one socket at both ends.
@@ -136,7 +156,7 @@ int main(int argc, char** argv) {
   std::vector<bench::Result> results = bench::results(rows, rounds);
   if (!options.only.empty())
     std::erase_if(results, [](const bench::Result& one) { return one.is_incomplete(); });
-  const std::string json = bench::json_of(results, rounds.size(), options.seconds);
+  const std::string json = bench::json_of(results, run_of(options, rounds.size()));
   std::cout << (options.json
                     ? json
                     : bench::table_of(results) + "Medians of " + std::to_string(rounds.size()) +
@@ -147,5 +167,6 @@ int main(int argc, char** argv) {
   }
   const bool complete = std::none_of(results.begin(), results.end(),
                                      [](const bench::Result& one) { return one.is_incomplete(); });
-  return complete && !results.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool enough = rounds.size() == static_cast<std::size_t>(options.rounds);
+  return complete && enough && !results.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

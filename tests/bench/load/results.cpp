@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace hedgehog::bench {
@@ -19,6 +21,19 @@ std::string number(double value) {
   if (size >= 100) return fmt::format("{:.0f}", value);
   if (size >= 10) return fmt::format("{:.1f}", value);
   return fmt::format("{:.2f}", value);
+}
+
+/// Processor time of each function that was measured, by program.
+Json functions_in(const std::string& folder) {
+  Json programs = Json::object();
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    std::ifstream text(file.path());
+    const Json measured = Json::parse(text);
+    for (const Json& one : measured["benchmarks"])
+      programs[file.path().stem().string()].push_back(
+          {{"name", one["name"]}, {"value", one["cpu_time"]}, {"unit", one["time_unit"]}});
+  }
+  return programs;
 }
 
 std::string median_text(const std::optional<Range>& range) {
@@ -101,7 +116,7 @@ std::string table_of(const std::vector<Result>& results) {
   return text;
 }
 
-std::string json_of(const std::vector<Result>& results, std::size_t rounds, double seconds) {
+std::string json_of(const std::vector<Result>& results, const Run& run) {
   Json rows = Json::array();
   for (const Result& one : results) {
     Json row{{"measure", one.row.name}, {"unit", one.row.unit}, {"value", json_of(one.value)}};
@@ -117,7 +132,10 @@ std::string json_of(const std::vector<Result>& results, std::size_t rounds, doub
     if (!one.left_out.empty()) row["left_out"] = one.left_out;
     rows.push_back(std::move(row));
   }
-  return Json{{"rounds", rounds}, {"seconds", seconds}, {"rows", rows}}.dump(2) + "\n";
+  Json all{{"commit", run.commit}, {"date", run.date},       {"machine", run.machine},
+           {"rounds", run.rounds}, {"seconds", run.seconds}, {"rows", rows}};
+  if (!run.functions.empty()) all["functions"] = functions_in(run.functions);
+  return all.dump(2) + "\n";
 }
 
 }  // namespace hedgehog::bench

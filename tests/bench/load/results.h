@@ -40,7 +40,17 @@ std::vector<Result> results(const std::vector<Row>& rows, const std::vector<Figu
 
 /// Text table of at most 120 columns.
 std::string table_of(const std::vector<Result>& results);
-/// JSON. `rounds` is the number of rounds.
-std::string json_of(const std::vector<Result>& results, std::size_t rounds, double seconds);
+/// What was measured, when and where.
+struct Run {
+  std::size_t rounds = 0;
+  double seconds = 0.0;  // of one measurement
+  std::string commit;
+  std::string date;     // RFC 3339
+  std::string machine;  // kernel and processors
+  /// Folder with the JSON of Google Benchmark, a file for each program; empty: none.
+  std::string functions;
+};
+
+std::string json_of(const std::vector<Result>& results, const Run& run);
 
 }  // namespace hedgehog::bench
