@@ -147,6 +147,15 @@ void play(Library& library, const json& step, json& ended) {
 }
 
 template <class Library>
+void check_opened(Library& library, const json& step, const client::Outcome<void>& opened) {
+  check(step, opened ? client::Outcome<std::string>(std::string()) : opened.error());
+  if (!step.contains("retry_s")) return;
+  const double retry_s = std::chrono::duration<double>(library.retry_after()).count();
+  expect(retry_s >= step["retry_s"][0] && retry_s <= step["retry_s"][1],
+         std::to_string(retry_s) + " s");
+}
+
+template <class Library>
 void play_case(const std::string& folder, const json& one) {
   const std::string name = one["name"];
   FakeDaemon daemon(folder, name, one.value("environment", json::object()));
@@ -161,7 +170,7 @@ void play_case(const std::string& folder, const json& one) {
     for (const json& step : one["client"]) {
       const auto began = std::chrono::steady_clock::now();
       if (step.contains("open"))
-        check(step, opened ? client::Outcome<std::string>(std::string()) : opened.error());
+        check_opened(library, step, opened);
       else
         play(library, step, ended);
       const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;

@@ -163,6 +163,9 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             with self.assertRaises(hedgehog.NotConnected) as raised:
                 await action()
             self.assertIn(step["says"], str(raised.exception))
+            if "retry_s" in step:
+                self.assertGreaterEqual(raised.exception.retry_after_s, step["retry_s"][0])
+                self.assertLessEqual(raised.exception.retry_after_s, step["retry_s"][1])
             return None
         if "error" in step:
             with self.assertRaises(hedgehog.RequestError) as raised:

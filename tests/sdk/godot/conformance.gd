@@ -88,6 +88,8 @@ func answer(step):
 	elif step.has("failure"):
 		check(asked.failure == step.failure, "failure is " + asked.failure)
 		check(step.says in asked.message, asked.message)
+		if step.has("retry_s"):
+			check(asked.retry_after_s >= step.retry_s[0] and asked.retry_after_s <= step.retry_s[1], "%s s" % asked.retry_after_s)
 	elif step.has("error"):
 		check(asked.failure == "refused", "failure is " + asked.failure)
 		check(same([asked.code, asked.error_name, asked.message, asked.data.get("field")],

@@ -24,6 +24,7 @@ function check(step, outcome) {
   if (step.failure) {
     assert.equal(outcome.failure, step.failure, JSON.stringify(outcome));
     assert.ok(outcome.message.includes(step.says), outcome.message);
+    if (step.retry_s) assert.ok(outcome.retryS >= step.retry_s[0] && outcome.retryS <= step.retry_s[1], `${outcome.retryS} s`);
   } else if (step.error) {
     assert.deepEqual(outcome, { error: step.error });
   } else {

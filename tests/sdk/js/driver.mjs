@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs a step of a case on a Ball, in Node.js or in a page. The outcome is plain data, so that a browser can return it:
-// {value}, {failure, message} or {error: {code, name, message, field}}.
+// {value}, {failure, message, retryS} or {error: {code, name, message, field}}.
 
 // A line of a client must be shorter than 64 KiB; all together are far more than what the kernel and the library keep.
 const FLOOD_BYTES = 30_000;
@@ -121,7 +121,7 @@ export class Driver {
       if (error instanceof NotConnected) {
         // The iterator has ended with the connection.
         this.#notifications = this.#ball?.notifications();
-        return { failure: "not_connected", message: error.message };
+        return { failure: "not_connected", message: error.message, retryS: error.retryAfterMs / 1000 };
       }
       if (!(error instanceof RequestError)) throw error;
       const { code, reason, message, data } = error;

@@ -164,6 +164,8 @@ internal static partial class Conformance
         {
             var lost = Check.Throws<NotConnected>(() => action());
             Check.That(lost.Message.Contains(step["says"].Text), lost.Message);
+            if (step.Has("retry_s"))
+                Check.That(lost.RetryAfterS >= step["retry_s"][0].Number && lost.RetryAfterS <= step["retry_s"][1].Number, lost.RetryAfterS + " s");
             return Json.Null;
         }
         if (step.Has("error"))

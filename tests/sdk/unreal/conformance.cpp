@@ -109,6 +109,10 @@ class Player {
     if (step["failure"].is(Json::Kind::kString)) {
       check(answer.failure == Failure::kNotConnected, "another failure: " + answer.message);
       check(answer.message.find(step["says"].text()) != std::string::npos, answer.message);
+      const auto& retry_s = step["retry_s"].items();
+      check(retry_s.empty() || (answer.retry_after_s >= retry_s[0].number() &&
+                                answer.retry_after_s <= retry_s[1].number()),
+            "another time to retry: " + std::to_string(answer.retry_after_s));
     } else if (error.is(Json::Kind::kObject)) {
       check(answer.failure == Failure::kRefused && answer.code == error["code"].number() &&
                 answer.name == error["name"].text() && answer.message == error["message"].text() &&
