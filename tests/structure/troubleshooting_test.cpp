@@ -18,8 +18,8 @@ constexpr const char* kOfClients = "clients/troubleshooting.md";
 constexpr const char* kOfStudy = "clients/study/troubleshooting.md";
 
 /// Of hedgehogctl's other verbs, hedgehog-racer, hedgehog-orientation and hedgehog-design a message
-/// names its remedy itself, or the mistake in an option. The same holds for mistakes in a configuration or an experiment's file,
-/// which are printed with file, line and key.
+/// names its remedy itself, or the mistake in an option. The same holds for mistakes in a
+/// configuration or an experiment's file, which are printed with file, line and key.
 std::vector<ProgramMessages> programs() {
   return {
       {"daemon/",
