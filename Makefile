@@ -416,7 +416,7 @@ bench: $(CONFIGURED_BENCH) build/.packages-bench build/.packages-stress
 	@set -e; begun=$$(date +%s); for program in $(BENCH)/bench_*; do \
 	  "$$program" --benchmark_min_time=0.2 --benchmark_out=build/bench-functions/$${program##*/bench_}.json; done; \
 	$(BENCH)/rounds --out build/bench.json --functions build/bench-functions --commit "$$(git describe --always --dirty)" \
-	  --limit $$((570 - $$(date +%s) + begun)) $(ARGS)
+	  $(if $(findstring --limit,$(ARGS)),,--limit $$((570 - $$(date +%s) + begun))) $(ARGS)
 
 # This tree's build beside that of revision REV.
 REV ?= HEAD

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The firmware of the reference board with Debian's gcc: DIRECTORY/hedgehog-board.uf2, .elf, .map, and its sizes and worst
 # stack. build.sh DIRECTORY FIRMWARE_IMAGE [CALIBRATION]: the last in place of firmware/calibration.h.
-# Exit: 0 built, 64 usage, 66 no such calibration, 69 no compiler, else the compiler's.
+# Exit: 0 built, 1 the stack may be too small, 64 usage, 66 no such calibration, 69 no compiler, else the compiler's.
 set -eu
 
 [ $# -eq 2 ] || [ $# -eq 3 ] || { echo "build.sh DIRECTORY FIRMWARE_IMAGE [CALIBRATION]" >&2; exit 64; }
@@ -42,11 +42,9 @@ arm-none-eabi-objcopy -O binary --only-section=.boot2 "$out/board/board.elf" "$o
 arm-none-eabi-objcopy --update-section ".boot2=$out/board/boot2.crc" "$out/board/board.elf" "$out/board/hedgehog-board.elf"
 arm-none-eabi-objcopy -O binary "$out/board/hedgehog-board.elf" "$out/board/board.bin"
 "$image" uf2 "$out/board/board.bin" "$out/board/hedgehog-board.uf2"
-mv "$out/board/hedgehog-board.uf2" "$out/board/hedgehog-board.elf" "$out/board/hedgehog-board.map" "$out"
-trap - EXIT
 
 echo "firmware of the reference board:"
-arm-none-eabi-size -A "$out/hedgehog-board.elf" | awk '
+arm-none-eabi-size -A "$out/board/hedgehog-board.elf" | awk '
   $1 == ".boot2" || $1 == ".start" || $1 == ".image" { flash += $2 }
   $1 == ".image" || $1 == ".bss" { ram += $2 }
   END { printf "flash %d bytes of 2097152, RAM %d bytes of 266240 (the program is in it), stack of 4096:\n", flash, ram }'
@@ -54,3 +52,6 @@ arm-none-eabi-size -A "$out/hedgehog-board.elf" | awk '
 rm "$out/board/startup.ci" "$out/board/boot_loader.ci"
 # The runtime's helpers as in tests/firmware/build.sh. A quarter of the stack at most: an overflow cannot be handled.
 awk -v roots=board_main -v runtime=112 -v most=1024 -f tests/firmware/worst_stack.awk "$out"/board/*.ci
+
+mv "$out/board/hedgehog-board.uf2" "$out/board/hedgehog-board.elf" "$out/board/hedgehog-board.map" "$out"
+trap - EXIT

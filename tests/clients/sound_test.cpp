@@ -190,7 +190,8 @@ TEST(SoundFile, EveryFormatOfTheReadmeGivesTheSamePushes) {
   for (const int format :
        {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, SF_FORMAT_OGG | SF_FORMAT_VORBIS,
         SF_FORMAT_AIFF | SF_FORMAT_PCM_16, SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III}) {
-    write_sound(path, format, [](double t) { return std::pair(0.8 * click(t, 0.4), 0.0); });
+    ASSERT_NO_FATAL_FAILURE(
+        write_sound(path, format, [](double t) { return std::pair(0.8 * click(t, 0.4), 0.0); }));
     SliceReader reader(SoundFile::open(path).value(), {});
     std::vector<Slice> slices;
     while (auto slice = reader.next()) slices.push_back(*std::move(slice));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl record in edge cases: a ball at rest, too long a recording, no daemon, existing
-// files.
+// hedgehogctl record: tilts, their tolerance, a ball at rest, too long a recording, no daemon,
+// existing files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ using model::axis_angle;
 using model::Quaternion;
 using testing::HasSubstr;
 
-/// Up for half a second, then once up and down each second.
+/// At rest for half a second, then once up and down each second.
 double wave(double t_s) { return t_s < 0.5 ? 0.0 : std::sin(2.0 * 3.14159265358979 * (t_s - 0.5)); }
 
 class Record : public testing::Test {
@@ -41,7 +41,7 @@ class Record : public testing::Test {
   Ended ctl(const DaemonProcess& daemon, const std::vector<std::string>& arguments) const {
     return Program(home_, hedgehogctl(), arguments, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
   }
-  /// Two seconds, in which the ball is turned by what it is given for the seconds since the start.
+  /// Five seconds, in which the ball is turned by what it is given for the seconds since the start.
   Ended record_turning(const DaemonProcess& daemon, std::vector<std::string> more,
                        const std::function<Quaternion(double)>& turned) const {
     RawClient other(daemon.port());
@@ -52,7 +52,7 @@ class Record : public testing::Test {
     turn(turned(0.0));
     const double before_s = now_s();
     while (now_s() < before_s + 0.2) continue;
-    more.insert(more.end(), {"--seconds", "2"});
+    more.insert(more.end(), {"--seconds", "5"});
     Program program(home_, hedgehogctl(), record(more), {"HEDGEHOG_ADDRESS=" + daemon.socket()});
     EXPECT_TRUE(
         eventually([&] { return other.call("connection.list")["connections"].size() == 2; }));
@@ -87,7 +87,7 @@ TEST_F(Record, ATiltIsRelativeToTheOrientationAtTheBeginningAndThePointerSaysWha
   // goes down, by its own axes.
   const Quaternion turned_left = axis_angle({0, 0, 1}, 90);
   const Ended ended = record_turning(daemon, {"--pointer", "up"}, [&](double t_s) {
-    return axis_angle({1, 0, 0}, 60.0 * std::clamp(t_s - 0.5, 0.0, 1.0)) * turned_left;
+    return axis_angle({1, 0, 0}, 60.0 * std::clamp(t_s - 2.0, 0.0, 1.0)) * turned_left;
   });
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const Json frames = pattern()["keyframes"];

@@ -117,8 +117,8 @@ class ForwardedAddress:
         self._target = (host, int(port))
 
     def requests(self):
-        """What clients have sent, decoded, of one connection after the other."""
-        return [json.loads(line) for sent in self._sent for line in sent.decode("utf-8").splitlines() if line.strip()]
+        """The lines that clients have sent, decoded, of one connection after the other."""
+        return [json.loads(line) for sent in self._sent for line in bytes(sent).split(b"\n")[:-1] if line.strip()]
 
     def end(self):
         self._server.shutdown(socket.SHUT_RDWR)
@@ -142,8 +142,9 @@ class ForwardedAddress:
             with daemon:
                 back = threading.Thread(target=self._pump, args=(daemon, client, bytearray()), daemon=True)
                 back.start()
-                self._sent.append(bytearray())
-                self._pump(client, daemon, self._sent[-1])
+                sent = bytearray()
+                self._sent.append(sent)
+                self._pump(client, daemon, sent)
                 back.join()
 
     @staticmethod

@@ -258,14 +258,14 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
 
             daemon = threading.Thread(target=greet)
             daemon.start()
-            with hedgehog.Ball("127.0.0.1:%d" % server.getsockname()[1], timeout_s=1.0) as ball:
+            with hedgehog.Ball("127.0.0.1:%d" % server.getsockname()[1], timeout_s=3.0) as ball:
                 daemon.join()
                 sent = [True]
                 while sent[-1] and len(sent) < FLOOD_LINES:
                     began = time.monotonic()
                     sent.append(ball.notify("of_the_future", text="x" * FLOOD_BYTES))
                 self.assertFalse(sent[-1], "what the kernel does not keep")
-                self.assertGreaterEqual(time.monotonic() - began, 1.0)
+                self.assertGreaterEqual(time.monotonic() - began, 3.0)
                 self.assertFalse(ball.notify("of_the_future"), "there is no connection any more")
             connections[0].close()
 

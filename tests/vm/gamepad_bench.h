@@ -42,7 +42,8 @@ class GamepadBench : public testing::Test {
   /// The simulated ball is armed.
   GamepadBench();
 
-  /// Starts hedgehog-gamepad as `user`, and waits until its node exists and the daemon lists it.
+  /// Starts hedgehog-gamepad as `user`, and waits until its node exists and upright is the centre
+  /// of its stick.
   void begin(const std::vector<std::string>& options = {}, const std::string& user = "");
   std::string bridge_log() const { return home_.read("bridge"); }
   bool bridge_logs(const std::string& text) const;

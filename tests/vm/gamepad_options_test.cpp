@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The options of hedgehog-gamepad, as a user gives them: each changes what a game reads or what the
 // ball does.
-#include <string>
-#include <vector>
-
 #include "tests/vm/gamepad_bench.h"
 
 namespace hedgehog::vm {

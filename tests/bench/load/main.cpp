@@ -83,6 +83,9 @@ void show_progress(const std::string& text) {
   if (::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
 }
 
+/// Of fewer rounds a median says little.
+constexpr int kEnough = 7;
+
 /// A program may time out on a machine that is busy elsewhere: one retry.
 constexpr int kAttempts = 2;
 
@@ -167,6 +170,6 @@ int main(int argc, char** argv) {
   }
   const bool complete = std::none_of(results.begin(), results.end(),
                                      [](const bench::Result& one) { return one.is_incomplete(); });
-  const bool enough = rounds.size() == static_cast<std::size_t>(options.rounds);
+  const bool enough = rounds.size() >= static_cast<std::size_t>(std::min(options.rounds, kEnough));
   return complete && enough && !results.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 namespace hedgehog::bench {
 namespace {
@@ -26,10 +27,13 @@ std::string number(double value) {
 /// Processor time of each function that was measured, by program.
 Json functions_in(const std::string& folder) {
   Json programs = Json::object();
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+  std::error_code ec;
+  for (const auto& file : std::filesystem::directory_iterator(folder, ec)) {
     std::ifstream text(file.path());
-    const Json measured = Json::parse(text);
-    for (const Json& one : measured["benchmarks"])
+    const Json measured = Json::parse(text, nullptr, false);
+    if (!measured.is_object()) continue;
+    const Json functions = measured.value("benchmarks", Json::array());
+    for (const Json& one : functions)
       programs[file.path().stem().string()].push_back(
           {{"name", one["name"]}, {"value", one["cpu_time"]}, {"unit", one["time_unit"]}});
   }

@@ -47,7 +47,8 @@ struct Run {
   std::string commit;
   std::string date;     // RFC 3339
   std::string machine;  // kernel and processors
-  /// Folder with the JSON of Google Benchmark, a file for each program; empty: none.
+  /// Folder with the JSON of Google Benchmark, a file for each program; others are ignored. Empty:
+  /// none.
   std::string functions;
 };
 

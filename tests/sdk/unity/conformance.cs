@@ -8,7 +8,7 @@ using Hedgehog;
 
 internal static partial class Conformance
 {
-    // Of calls; a case in which the daemon never answers takes so long.
+    // Of calls, unless the case has one of its own.
     private const double TimeoutS = 60.0;
 
     private static string folder;

@@ -117,6 +117,7 @@ bool UHedgehogSubsystem::RumbleWith(const FString& Slot, float Strength, FVector
   FHedgehogEffect Further = Effect;
   Further.CurrentA = -1.0f;
   Further.ForceN = -1.0f;
+  Further.DurationMs = -1.0f;
   return Client != nullptr && Client->rumble(ToUtf8(Slot), static_cast<double>(Strength),
                                              ToJson(Direction), HedgehogToJson(Further));
 }

@@ -65,9 +65,9 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   /// connected.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   bool Rumble(const FString& Slot, float Strength, FVector Direction, float FrequencyHz = 60.0f);
-  /// The same with further members of the effect: waveform, priority, another lease. Its slot and
-  /// strength are not used.
-  UFUNCTION(BlueprintCallable, Category = "Hedgehog")
+  /// The same with further members of the effect: waveform, priority, another lease. Its slot,
+  /// strength and duration are not used.
+  UFUNCTION(BlueprintCallable, Category = "Hedgehog", meta = (AutoCreateRefTerm = "Effect"))
   bool RumbleWith(const FString& Slot, float Strength, FVector Direction,
                   const FHedgehogEffect& Effect);
 
