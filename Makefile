@@ -415,7 +415,7 @@ bench: $(CONFIGURED_BENCH) build/.packages-bench build/.packages-stress
 	@rm -rf build/bench-functions && mkdir build/bench-functions
 	@set -e; begun=$$(date +%s); for program in $(BENCH)/bench_*; do \
 	  "$$program" --benchmark_min_time=0.2 --benchmark_out=build/bench-functions/$${program##*/bench_}.json; done; \
-	$(BENCH)/rounds --out build/bench.json --functions build/bench-functions --commit "$$(git describe --always --dirty)" \
+	$(BENCH)/rounds --out build/bench.json --functions build/bench-functions --commit "$$(git describe --always --dirty 2>/dev/null)" \
 	  $(if $(findstring --limit,$(ARGS)),,--limit $$((570 - $$(date +%s) + begun))) $(ARGS)
 
 # This tree's build beside that of revision REV.

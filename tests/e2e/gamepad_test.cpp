@@ -73,9 +73,7 @@ class Gamepad : public testing::Test {
     EXPECT_TRUE(eventually([&] { return device_.uploaded() >= 0; }));
     return device_.uploaded();
   }
-  void turn(const model::Quaternion& q) {
-    ball_.call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
-  }
+  void turn(const model::Quaternion& q) { ball_.call("sim.set", {{"orientation", json_of(q)}}); }
   bool flows(const model::Vec3& direction) {
     return eventually([&] {
       const Json status = ball_.call("device.status");

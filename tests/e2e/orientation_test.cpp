@@ -30,8 +30,6 @@ constexpr double kPinPitchDeg = 23.5;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr int kSamples = 30;
 
-Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
-
 /// A ball that the test turns, and its measured currents.
 class TurnedBall {
  public:

@@ -46,7 +46,7 @@ class Record : public testing::Test {
                        const std::function<Quaternion(double)>& turned) const {
     RawClient other(daemon.port());
     const auto turn = [&other](const Quaternion& q) {
-      other.call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
+      other.call("sim.set", {{"orientation", json_of(q)}});
     };
     const auto now_s = [&other] { return other.call("ping")["time_ns"].get<double>() * 1e-9; };
     turn(turned(0.0));

@@ -7,10 +7,8 @@ import json
 import logging
 import os
 import pathlib
-import socket
 import subprocess
 import sys
-import threading
 import time
 import unittest
 from unittest import mock
@@ -246,28 +244,6 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             with self.assertRaises(hedgehog.NotConnected):
                 ball.ping()
             asyncio.run(self.again(Blocking(ball), "ping"))
-
-    def test_a_notification_waits_for_the_timeout_while_the_daemon_does_not_read(self):
-        with socket.create_server(("127.0.0.1", 0)) as server:
-            connections = []
-
-            def greet():
-                connections.append(server.accept()[0])
-                hello = json.loads(connections[0].makefile().readline())
-                connections[0].sendall(json.dumps({"jsonrpc": "2.0", "id": hello["id"], "result": {"protocol": "1.0"}}).encode() + b"\n")
-
-            daemon = threading.Thread(target=greet)
-            daemon.start()
-            with hedgehog.Ball("127.0.0.1:%d" % server.getsockname()[1], timeout_s=3.0) as ball:
-                daemon.join()
-                sent = [True]
-                while sent[-1] and len(sent) < FLOOD_LINES:
-                    began = time.monotonic()
-                    sent.append(ball.notify("of_the_future", text="x" * FLOOD_BYTES))
-                self.assertFalse(sent[-1], "what the kernel does not keep")
-                self.assertGreaterEqual(time.monotonic() - began, 3.0)
-                self.assertFalse(ball.notify("of_the_future"), "there is no connection any more")
-            connections[0].close()
 
     async def play(self, case, library):
         environment = mock.patch.dict(os.environ, case.get("environment", {}))

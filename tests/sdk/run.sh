@@ -27,6 +27,7 @@ packed=$PWD/../../build/sdk
 ./pack.sh "$packed"
 bounded python3 conformance_table_test.py
 bounded python3 python_conformance.py
+bounded python3 python_unread.py
 bounded python3 python_mdns.py
 bounded python3 python_live.py "$daemon"
 bounded python3 python_types.py

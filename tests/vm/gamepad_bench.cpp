@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "tests/e2e/json_vector.h"
 #include "tests/e2e/programs.h"
 
 namespace hedgehog::vm {
@@ -15,6 +16,14 @@ ff_effect constant(int direction, int level, int length_ms) {
   effect.direction = static_cast<std::uint16_t>(direction);
   effect.replay.length = static_cast<std::uint16_t>(length_ms);
   effect.u.constant.level = static_cast<std::int16_t>(level);
+  return effect;
+}
+
+ff_effect rumble() {
+  ff_effect effect{};
+  effect.type = FF_RUMBLE;
+  effect.id = -1;
+  effect.u.rumble = {0xffff, 0};
   return effect;
 }
 
@@ -59,7 +68,7 @@ bool GamepadBench::bridge_logs(const std::string& text) const {
 }
 
 void GamepadBench::turn(const model::Quaternion& q) {
-  daemon_->call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
+  daemon_->call("sim.set", {{"orientation", e2e::json_of(q)}});
 }
 
 std::vector<std::string> GamepadBench::debian_environment() const {

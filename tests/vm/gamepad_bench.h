@@ -30,6 +30,8 @@ inline constexpr int kFull = 0x7fff;
 
 /// As a game writes it; not uploaded yet.
 ff_effect constant(int direction, int level, int length_ms = 0);
+/// Of the strong motor, at its full magnitude.
+ff_effect rumble();
 /// Of full magnitude, 20 Hz.
 ff_effect wave(int waveform, int direction);
 

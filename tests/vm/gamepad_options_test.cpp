@@ -18,13 +18,6 @@ class GamepadOptions : public GamepadBench {
     EXPECT_TRUE(ball_->until_still());
     return pushed;
   }
-  static ff_effect rumble() {
-    ff_effect effect{};
-    effect.type = FF_RUMBLE;
-    effect.id = -1;
-    effect.u.rumble = {0xffff, 0};
-    return effect;
-  }
 };
 
 TEST_F(GamepadOptions, ChooseWhereTheStickEndsBeginsAndHowItRises) {

@@ -154,14 +154,11 @@ TEST_F(GamepadNode, EveryWaveformAndRampsAndRumblePlay) {
     EXPECT_EQ(game_->erase(effect.id), 0);
     EXPECT_TRUE(ball_->until_still());
   }
-  ff_effect rumble{};
-  rumble.type = FF_RUMBLE;
-  rumble.id = -1;
-  rumble.u.rumble = {0xffff, 0};
-  ASSERT_EQ(game_->upload(rumble), 0);
-  game_->play(rumble.id);
+  ff_effect motor = rumble();
+  ASSERT_EQ(game_->upload(motor), 0);
+  game_->play(motor.id);
   EXPECT_TRUE(ball_->until_pushed(kDown, 5));
-  EXPECT_EQ(game_->erase(rumble.id), 0);
+  EXPECT_EQ(game_->erase(motor.id), 0);
 
   ff_effect ramp{};
   ramp.type = FF_RAMP;

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
-import { open, page, until } from "./dashboard.mjs";
+import { messagesOf, open, page, until } from "./dashboard.mjs";
 import { eventually } from "./timeouts.mjs";
 
 const kRate = 48_000;
@@ -73,11 +73,10 @@ test("a tone keeps its loudness where the forecast's steps do not fit its period
 });
 
 test("nothing sounds unasked; once asked, each edit does, until it is turned off", async () => {
-  let previews = 0;
-  await open("/designer.html", kDesktop, async (opened) => opened.on("websocket", (socket) =>
-    socket.on("framesent", ({ payload }) => { previews += [JSON.parse(payload)].flat().filter(({ method }) => method === "effect.preview").length; })));
+  let sent;
+  await open("/designer.html", kDesktop, (opened) => { sent = messagesOf(opened); });
   const shown = async (count) => {
-    await eventually(() => previews === count);
+    await eventually(() => sent.filter(({ method }) => method === "effect.preview").length === count);
     await until(() => document.getElementById("currents").points.length > 10);
   };
   await load(steady({}, 1000));

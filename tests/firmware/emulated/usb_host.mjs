@@ -166,13 +166,17 @@ export class UsbHost {
   }
 
   /** Whether a packet of the device waits in the buffer of this endpoint. */
-  armed(endpoint) { return (this.mcu.usbDPRAMView.getUint32(0x80 + 8 * endpoint, true) & kAvailable) !== 0; }
+  armed(endpoint) { return (this.bufferControl(endpoint, false).control & kAvailable) !== 0; }
+
+  bufferControl(endpoint, out) {
+    const at = 0x80 + 8 * endpoint + (out ? 4 : 0);
+    return { at, control: this.mcu.usbDPRAMView.getUint32(at, true) };
+  }
 
   /** The response to a token: 'none', 'stall', 'nak', or the armed buffer control. */
   token(endpoint, out) {
     if (!this.listens() || !this.enabled(endpoint, out)) return 'none';
-    const at = 0x80 + 8 * endpoint + (out ? 4 : 0);
-    const control = this.mcu.usbDPRAMView.getUint32(at, true);
+    const { at, control } = this.bufferControl(endpoint, out);
     if (control & kStall && (endpoint > 0 || this.usb.epStallArm & (out ? 2 : 1))) {
       ++this.counts.stall;
       return 'stall';
