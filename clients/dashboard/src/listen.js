@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Sound as it is heard, from a microphone or a file, as effects: what begins in it pushes, its low tones vibrate.
-// The rules are those of clients/sound, but for windows of a screen's timer.
+// The rules are those of clients/sound, but for onsets in windows of 20 ms.
 
 const kCrossoverHz = 150;
 const kTickMs = 20;
+/** High tones are kept for a timer whose calls are 0.15 s apart, on a busy page, and their last window. */
+const kKeptS = 0.17;
+/** The window of the low tones, samples. */
+const kLowWindow = 2048;
 const kLeaseMs = 250;
 const kPulseMs = 25;
-const kApartMs = 60;
+/** Windows between two pushes: 60 ms. */
+const kApart = 3;
 /** Amplitudes below it are silence. */
 const kSilence = 0.01;
-/** Power of an onset over that of the last ticks: 6 dB. */
+/** Power of an onset over that of the last windows: 6 dB. */
 const kRise = 4;
 const kBefore = 3;
 
@@ -41,7 +46,11 @@ export class Listener {
     if (this.context !== context) return;
     const source = context.createBufferSource();
     source.buffer = buffer;
-    source.onended = () => this.stop().then(this.ended);
+    source.onended = () => {
+      if (this.context !== context) return;
+      this.poll();
+      this.stop().then(this.ended);
+    };
     this.analyse(source);
     source.connect(context.destination);
     source.start();
@@ -51,7 +60,9 @@ export class Listener {
     this.context = new AudioContext();
     this.pushes = 0;
     this.before = [];
-    this.pushedAt = -Infinity;
+    /** Frames of the context whose high tones have been looked at. */
+    this.seen = 0;
+    this.sincePush = kApart;
     this.vibrating = false;
   }
 
@@ -62,23 +73,29 @@ export class Listener {
     // One channel on both sides.
     const stereo = new GainNode(context, { channelCount: 2, channelCountMode: "explicit", channelInterpretation: "speakers" });
     source.connect(stereo).connect(sides);
+    // A power of two, as analysers require.
+    const kept = Math.min(32_768, 2 ** Math.ceil(Math.log2(kKeptS * context.sampleRate)));
     this.analysers = {};
     for (const type of ["lowpass", "highpass"]) {
       this.analysers[type] = [0, 1].map((side) => {
         const first = new BiquadFilterNode(context, { type, frequency: kCrossoverHz, Q: -5.33 });
         const second = new BiquadFilterNode(context, { type, frequency: kCrossoverHz, Q: 2.32 });
-        const analyser = new AnalyserNode(context, { fftSize: type === "lowpass" ? 2048 : 1024 });
+        const analyser = new AnalyserNode(context, { fftSize: type === "lowpass" ? kLowWindow : kept });
         sides.connect(first, side).connect(second).connect(analyser);
-        return analyser;
+        return { analyser, samples: new Float32Array(analyser.fftSize) };
       });
     }
-    this.samples = new Float32Array(2048);
     this.timer = setInterval(() => this.poll(), kTickMs);
   }
 
-  power(analyser) {
-    const samples = this.samples.subarray(0, analyser.fftSize);
-    analyser.getFloatTimeDomainData(samples);
+  samples(type) {
+    return this.analysers[type].map(({ analyser, samples }) => {
+      analyser.getFloatTimeDomainData(samples);
+      return samples;
+    });
+  }
+
+  power(samples) {
     let [sum, peak, periods] = [0, 0, 0];
     for (let i = 0; i < samples.length; ++i) {
       sum += samples[i] * samples[i];
@@ -98,21 +115,38 @@ export class Listener {
 
   poll() {
     if (this.context?.state !== "running") return;
-    const high = this.analysers.highpass.map((analyser) => this.power(analyser));
-    const now = performance.now();
-    const mean = Math.max(high[0].mean, high[1].mean);
-    const peak = Math.max(high[0].peak, high[1].peak);
-    const begins = peak > 2 * kSilence && mean > 1e-6 && mean > kRise * Math.max(0, ...this.before);
-    this.before = [...this.before, mean].slice(-kBefore);
-    if (begins && now - this.pushedAt > kApartMs) this.push(high, peak, now);
-    this.vibrate(this.analysers.lowpass.map((analyser) => this.power(analyser)));
+    const { sampleRate, currentTime } = this.context;
+    const now = Math.round(currentTime * sampleRate);
+    const size = Math.round((sampleRate * kTickMs) / 1000);
+    const kept = this.samples("highpass");
+    const first = now - kept[0].length;
+    this.seen = Math.max(this.seen, first);
+    let onset = null;
+    for (; this.seen + size <= now; this.seen += size) {
+      const from = this.seen - first;
+      const high = kept.map((samples) => this.power(samples.subarray(from, from + size)));
+      if (this.isOnset(high)) onset = high;
+    }
+    // Of several that are late only the last: together they would be one push that is too strong.
+    if (onset) this.push(onset);
+    this.vibrate(this.samples("lowpass").map((samples) => this.power(samples)));
   }
 
-  push([left, right], peak, now) {
-    this.pushedAt = now;
+  /** The high tones of the next window rise over those before. */
+  isOnset([left, right]) {
+    const mean = Math.max(left.mean, right.mean);
+    const rises = Math.max(left.peak, right.peak) > 2 * kSilence && mean > 1e-6 && mean > kRise * Math.max(0, ...this.before);
+    this.before = [...this.before, mean].slice(-kBefore);
+    this.sincePush += 1;
+    if (!rises || this.sincePush < kApart) return false;
+    this.sincePush = 0;
+    return true;
+  }
+
+  push([left, right]) {
     this.pushes += 1;
     this.link.notify("effect.pulse", { direction: { azimuth_deg: azimuth(left.peak, right.peak) }, duration_ms: kPulseMs,
-      current_a: this.strength().current_a, gain: this.level(peak) });
+      current_a: this.strength().current_a, gain: this.level(Math.max(left.peak, right.peak)) });
     this.onPushes(this.pushes);
   }
 
