@@ -103,10 +103,10 @@ Certificate new_certificate(const std::string& name, int days) {
   return {text_of(certificate_text.get()), text_of(key_text.get())};
 }
 
-boost::system::result<Digest, std::string> fingerprint_of(std::string_view certificate_pem) {
+boost::system::result<base::Sha256, std::string> fingerprint_of(std::string_view certificate_pem) {
   const X509Object certificate = certificate_of(certificate_pem);
   if (!certificate) return std::string("has no certificate in PEM");
-  Digest digest{};
+  base::Sha256 digest{};
   unsigned int size = 0;
   if (X509_digest(certificate.get(), EVP_sha256(), digest.data(), &size) != 1 ||
       size != digest.size())

@@ -37,14 +37,15 @@ std::string new_token() {
 Digest digest_of(std::string_view text) {
   Digest digest{};
   unsigned int size = 0;
-  if (EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1 ||
-      size != digest.size())
+  if (EVP_Digest(text.data(), text.size(), digest.bytes.data(), &size, EVP_sha256(), nullptr) !=
+          1 ||
+      size != digest.bytes.size())
     throw std::runtime_error("OpenSSL has no SHA-256");
   return digest;
 }
 
-bool is_same(const Digest& a, const Digest& b) noexcept {
-  return CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+bool operator==(const Digest& a, const Digest& b) noexcept {
+  return CRYPTO_memcmp(a.bytes.data(), b.bytes.data(), a.bytes.size()) == 0;
 }
 
 bool is_token_name(std::string_view text) noexcept {

@@ -10,9 +10,13 @@
 
 namespace hedgehog::access {
 
-/// SHA-256, without salt or a slow hash: a token has 256 random bits, so that dictionary attacks
-/// are infeasible and no two tokens have the same digest.
-using Digest = base::Sha256;
+/// SHA-256 of a token, without salt or a slow hash: a token has 256 random bits, so that dictionary
+/// attacks are infeasible and no two tokens have the same digest.
+struct Digest {
+  base::Sha256 bytes{};
+  /// Takes the same time wherever they differ.
+  friend bool operator==(const Digest& a, const Digest& b) noexcept;
+};
 
 /// Stored data of a token.
 struct Token {
@@ -29,9 +33,8 @@ struct Token {
 /// numbers.
 std::string new_token();
 
+/// Throws std::runtime_error when OpenSSL has no SHA-256.
 Digest digest_of(std::string_view text);
-/// Constant-time comparison.
-bool is_same(const Digest& a, const Digest& b) noexcept;
 
 bool is_token_name(std::string_view text) noexcept;
 

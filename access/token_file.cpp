@@ -46,7 +46,7 @@ std::optional<Token> parse_line(std::string_view line) {
   const auto bytes = base::parse_sha256(digest);
   if (!bytes) return std::nullopt;
   token.role = *role;
-  token.digest = *bytes;
+  token.digest = {*bytes};
   return token;
 }
 
@@ -79,7 +79,7 @@ std::string to_text(const Tokens& tokens) {
   std::string text(kAbout);
   for (const Token& token : tokens) {
     text += token.name + " " + std::string(protocol::name(token.role)) + " " +
-            std::string(kDigestPrefix) + base::to_hex(token.digest) + " " + token.made + "\n";
+            std::string(kDigestPrefix) + base::to_hex(token.digest.bytes) + " " + token.made + "\n";
   }
   return text;
 }

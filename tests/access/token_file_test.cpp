@@ -26,13 +26,14 @@ TEST(TokenFile, HasDigestsAndNoTokens) {
   const std::string token = new_token();
   const std::string text =
       to_text({{"arcade", protocol::Role::kPlay, digest_of(token), "2026-11-24"}});
-  EXPECT_THAT(text, testing::HasSubstr("arcade play sha256:" + base::to_hex(digest_of(token))));
+  EXPECT_THAT(text,
+              testing::HasSubstr("arcade play sha256:" + base::to_hex(digest_of(token).bytes)));
   EXPECT_THAT(text, testing::Not(testing::HasSubstr(token)));
   EXPECT_THAT(text, testing::Not(testing::HasSubstr(token.substr(4))));
 }
 
 TEST(TokenFile, CommentsEmptyLinesAndLineEndsOfOtherSystemsAreSkipped) {
-  const std::string digest = "sha256:" + base::to_hex(digest_of("x"));
+  const std::string digest = "sha256:" + base::to_hex(digest_of("x").bytes);
   const auto read = parse_tokens("# by hand\r\n\n  a  observe\t" + digest +
                                  " 2026-01-01\r\n\t\nb play " + digest + " 2026-01-02");
   ASSERT_TRUE(read) << read.error().reason;
@@ -42,11 +43,12 @@ TEST(TokenFile, CommentsEmptyLinesAndLineEndsOfOtherSystemsAreSkipped) {
 }
 
 TEST(TokenFile, AnErrorNamesItsLineAndDoesNotQuoteIt) {
-  const std::string good = "a play sha256:" + base::to_hex(digest_of("x")) + " 2026-01-01\n";
+  const std::string good = "a play sha256:" + base::to_hex(digest_of("x").bytes) + " 2026-01-01\n";
   const std::string secret = new_token();
   for (const std::string& wrong :
-       {"b play " + secret, std::string("b"), "b master sha256:" + base::to_hex(digest_of("y")),
-        "b play sha256:" + base::to_hex(digest_of("y")) + " 2026-01-01 more",
+       {"b play " + secret, std::string("b"),
+        "b master sha256:" + base::to_hex(digest_of("y").bytes),
+        "b play sha256:" + base::to_hex(digest_of("y").bytes) + " 2026-01-01 more",
         std::string("b play sha256:00 2026-01-01")}) {
     const auto read = parse_tokens(good + "\n" + wrong + "\n");
     ASSERT_FALSE(read) << wrong;
@@ -61,8 +63,8 @@ TEST(TokenFile, AnErrorNamesItsLineAndDoesNotQuoteIt) {
 TEST(TokenFile, IsBounded) {
   std::string text;
   for (std::size_t i = 0; i <= kMaxTokens; ++i)
-    text += "t" + std::to_string(i) + " play sha256:" + base::to_hex(digest_of(std::to_string(i))) +
-            " 2026-01-01\n";
+    text += "t" + std::to_string(i) +
+            " play sha256:" + base::to_hex(digest_of(std::to_string(i)).bytes) + " 2026-01-01\n";
   EXPECT_FALSE(parse_tokens(text));
   text.erase(text.rfind("t" + std::to_string(kMaxTokens)));
   EXPECT_TRUE(parse_tokens(text));

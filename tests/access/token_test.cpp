@@ -22,18 +22,18 @@ TEST(Token, Has256RandomBitsInCharactersThatNeedNoQuoting) {
 
 TEST(Token, IsStoredAsItsSha256) {
   // FIPS 180-4's example, "abc".
-  EXPECT_EQ(base::to_hex(digest_of("abc")),
+  EXPECT_EQ(base::to_hex(digest_of("abc").bytes),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 TEST(Token, DigestsAreTheSameOnlyWhenEveryBitIs) {
   const Digest digest = digest_of("a token");
-  EXPECT_TRUE(is_same(digest, digest_of("a token")));
-  for (std::size_t byte = 0; byte < digest.size(); ++byte) {
+  EXPECT_TRUE(digest == digest_of("a token"));
+  for (std::size_t byte = 0; byte < digest.bytes.size(); ++byte) {
     for (int bit = 0; bit < 8; ++bit) {
       Digest other = digest;
-      other[byte] = static_cast<unsigned char>(other[byte] ^ (1 << bit));
-      EXPECT_FALSE(is_same(digest, other)) << byte << " " << bit;
+      other.bytes[byte] = static_cast<unsigned char>(other.bytes[byte] ^ (1 << bit));
+      EXPECT_FALSE(digest == other) << byte << " " << bit;
     }
   }
 }

@@ -96,7 +96,8 @@ TEST(ConfigAccess, ThePrintedConfigurationHasPathsAndNoSecrets) {
   EXPECT_THAT(printed, testing::HasSubstr(kTokens));
   EXPECT_THAT(printed, testing::HasSubstr("tls://0.0.0.0:7586"));
   EXPECT_THAT(printed, testing::Not(testing::HasSubstr("PRIVATE KEY")));
-  EXPECT_THAT(printed, testing::Not(testing::HasSubstr(base::to_hex(access::digest_of("secret")))));
+  EXPECT_THAT(printed,
+              testing::Not(testing::HasSubstr(base::to_hex(access::digest_of("secret").bytes))));
 }
 
 FakeFiles with_unix(const std::string& lists) {

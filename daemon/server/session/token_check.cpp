@@ -78,7 +78,7 @@ bool TokenCheck::is_valid(const Session& session) const noexcept {
 const access::Token* TokenCheck::find(const access::Digest& digest) const noexcept {
   const access::Token* found = nullptr;
   for (const access::Token& token : tokens_)
-    if (access::is_same(token.digest, digest)) found = &token;
+    if (token.digest == digest) found = &token;
   return found;
 }
 
