@@ -3,7 +3,9 @@
 """fleet.py BUILD DAEMONS SECONDS: simulated daemons of BUILD, each with hedgehog-mqtt, at one mosquitto and one Prometheus.
 
 Prints processor time and memory of each kind of program, and what is missing: telemetry by the device times of consecutive
-messages of a ball and by the broker's count of dropped messages (up to 10 s old), scrapes by Prometheus' `up`. Exit: 143 terminated; 1 a daemon or a bridge ended early, or a ball sent no telemetry.
+messages of a ball and by the broker's count of dropped messages (up to 10 s old), scrapes by Prometheus' `up`. Telemetry that comes
+late is printed, but no failure: on a machine with too few processors the simulated balls are late.
+Exit: 143 terminated; 1 a daemon or a bridge ended early, a ball sent no telemetry, nothing was scraped, or the broker dropped messages.
 """
 import json
 import os
@@ -130,7 +132,7 @@ def main(folder):
         span = f"{int(SECONDS)}s"
         scrapes = query(prometheus, f"sum(count_over_time(up[{span}]))")
         good = query(prometheus, f"sum(sum_over_time(up[{span}]))")
-        lost = dropped(folder / "broker.sock")
+        dropped_by_broker = dropped(folder / "broker.sock")
     finally:
         fleet.end()
     print(f"{DAEMONS} daemons, {took:.0f} s, {os.cpu_count()} processors")
@@ -138,10 +140,12 @@ def main(folder):
     for kind, (cpu, memory, count) in after.items():
         print(f"| {kind} | {count} | {100 * (cpu - before[kind][0]) / took:.1f} | {memory / 1e6:.0f} |")
     messages, missing, balls = missing_telemetry((folder / "telemetry").read_text().splitlines())
-    print(f"telemetry: {messages} messages of {balls} balls, {missing} not sent in time, {lost} dropped by the broker")
+    print(f"telemetry: {messages} messages of {balls} balls, {missing} not sent in time, {dropped_by_broker} dropped by the broker")
     print(f"scrapes: {DAEMONS * SECONDS / SCRAPE_S:.0f} due, {scrapes} made, {scrapes - good} of them failed")
     if balls != DAEMONS or not scrapes:
         sys.exit("tests/fleet: not every ball was heard of")
+    if dropped_by_broker:
+        sys.exit("tests/fleet: the broker dropped messages")
 
 
 if __name__ == "__main__":

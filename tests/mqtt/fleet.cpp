@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Load of a broker by a fleet: `--balls` connections like hedgehog-mqtt's, each with a ball's
-// telemetry and status, and a subscriber that counts the messages; --qos 1 sends the telemetry as
-// status and events are sent.
+// telemetry and status (and a description with --description-bytes), and a subscriber that counts
+// the messages; --qos 1 sends the telemetry as status and events are sent.
 #include <unistd.h>
 
 #include <chrono>
@@ -29,6 +29,7 @@ struct Options {
   int seconds = 10;
   double telemetry_hz = 1.0;
   int payload_bytes = 1000;
+  int description_bytes = 0;
   int qos = 0;
   int broker_pid = 0;
 };
@@ -58,13 +59,24 @@ Usage usage_of(int pid) {
   return usage;
 }
 
-/// Fetches the received messages; returns the number of telemetry messages.
+/// Fetches the received messages; returns the number of those that are telemetry.
 std::int64_t drain(Broker& broker) {
   std::int64_t telemetry = 0;
   while (const auto notice = broker.next())
     if (const auto* message = std::get_if<Message>(&*notice))
       telemetry += message->topic.ends_with("/telemetry") ? 1 : 0;
   return telemetry;
+}
+
+/// The same until there are `count`, or for 10 s.
+std::int64_t drain_until(Broker& broker, std::int64_t count) {
+  const auto deadline = Clock::now() + std::chrono::seconds(10);
+  std::int64_t received = 0;
+  while (received < count && Clock::now() < deadline) {
+    received += drain(broker);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return received;
 }
 
 bool wait_for_connection(Broker& broker) {
@@ -77,6 +89,10 @@ bool wait_for_connection(Broker& broker) {
   return false;
 }
 
+std::string payload_of(int bytes) {
+  return "{\"x\":\"" + std::string(static_cast<std::size_t>(bytes), 'x') + "\"}";
+}
+
 int measure(const BrokerOptions& base, const Options& options) {
   BrokerOptions counting = base;
   const std::string prefix = "fleet-" + std::to_string(::getpid());
@@ -85,9 +101,11 @@ int measure(const BrokerOptions& base, const Options& options) {
   if (!wait_for_connection(*counter)) return EX_UNAVAILABLE;
   const Delivery delivery = options.qos == 0 ? Delivery::kQos0 : Delivery::kQos1;
   counter->subscribe(prefix + "/#", delivery);
-  const std::string payload = "{\"x\":\"" + std::string(options.payload_bytes, 'x') + "\"}";
+  const std::string payload = payload_of(options.payload_bytes);
+  const std::string description = payload_of(options.description_bytes);
   std::vector<std::unique_ptr<Broker>> balls;
   std::vector<Topics> topics;
+  std::int64_t first = 0;
   for (int i = 0; i < options.balls; ++i) {
     topics.emplace_back(prefix, "ball-" + std::to_string(i));
     BrokerOptions one = base;
@@ -102,10 +120,23 @@ int measure(const BrokerOptions& base, const Options& options) {
                            .payload = payload,
                            .delivery = Delivery::kQos1,
                            .retained = true});
+    if (options.description_bytes > 0) {
+      balls.back()->publish({.topic = topics.back().description(),
+                             .payload = description,
+                             .delivery = Delivery::kQos1,
+                             .retained = true});
+    }
+    // Comes after what is retained, which is not part of the load.
+    balls.back()->publish({.topic = topics.back().telemetry(), .payload = payload});
+    first += drain(*counter);
   }
   std::int64_t sent = 0;
   std::int64_t received = 0;
-  (void)drain(*counter);
+  first += drain_until(*counter, options.balls - first);
+  if (first < options.balls) {
+    std::fprintf(stderr, "fleet: not every ball's first message came\n");
+    return EX_UNAVAILABLE;
+  }
   const Usage before = usage_of(options.broker_pid);
   const auto begun = Clock::now();
   const auto rounds = static_cast<int>(options.seconds * options.telemetry_hz);
@@ -120,10 +151,7 @@ int measure(const BrokerOptions& base, const Options& options) {
       std::this_thread::sleep_until(begun + std::chrono::duration<double>(at));
     }
   }
-  for (int i = 0; i < 1000 && received < sent; ++i) {
-    received += drain(*counter);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  received += drain_until(*counter, sent - received);
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - begun).count();
   const Usage after = usage_of(options.broker_pid);
   const double share = 100.0 * (after.processor_s - before.processor_s) / elapsed_s;
@@ -150,6 +178,10 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds).range(1, 3600).show_default();
   app.add_option("--telemetry-hz", options.telemetry_hz).range(0.1, 200.0).show_default();
   app.add_option("--payload-bytes", options.payload_bytes).range(1, 60'000).show_default();
+  app.add_option("--description-bytes", options.description_bytes,
+                 "retained beside the status; 0: none")
+      .range(0, 60'000)
+      .show_default();
   app.add_option("--qos", options.qos, "1: as status and events are sent and received")
       .range(0, 1)
       .show_default();
