@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""tls_latency.py BUILD [ROUNDS]: the round trip of `ping`, and a new connection up to the response to `hello`, over TLS beside TCP.
+"""tls_latency.py BUILD [ROUNDS]: round trips of `ping` and `effect.pulse`, and a new connection up to the response to `hello`, over TLS
+beside TCP.
 
 The simulated daemon of BUILD is measured by both in turn in each round (11 by default) and the results are compared within
 their round, so that both have the same load of the machine. Prints the medians over the rounds, and the range of the quotients."""
@@ -20,9 +21,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "sdk"))
 
 from live_daemon import LiveDaemon  # noqa: E402
 
-REQUESTS, CONNECTIONS = 2000, 20
+REQUESTS, PULSES, CONNECTIONS = 2000, 500, 20
 PING = b'{"jsonrpc":"2.0","id":1,"method":"ping"}\n'
-ROWS = ("ping, p50", "ping, p99", "connect and hello, p50")
+# In a slot, so that each replaces the last.
+PULSE = (b'{"jsonrpc":"2.0","id":1,"method":"effect.pulse",'
+         b'"params":{"direction":"left","current_a":0.1,"duration_ms":5,"slot":"latency"}}\n')
+ROWS = ("`ping`, p50", "`ping`, p99", "`effect.pulse`, p50", "connect and `hello`, p50")
 
 
 def exchange(connection, line):
@@ -67,8 +71,13 @@ def timed(act, count):
 def measure(daemon, connection, tls):
     """The figures of ROWS, µs."""
     pings = timed(lambda: exchange(connection, PING), REQUESTS)
+    responses = []
+    pulses = timed(lambda: responses.append(exchange(connection, PULSE)), PULSES)
+    for response in responses:
+        if "result" not in json.loads(response):
+            raise RuntimeError(str(response))
     opened = timed(lambda: connect(daemon, tls).close(), CONNECTIONS)
-    return statistics.median(pings), statistics.quantiles(pings, n=100)[98], statistics.median(opened)
+    return statistics.median(pings), statistics.quantiles(pings, n=100)[98], statistics.median(pulses), statistics.median(opened)
 
 
 def print_table(rounds):
