@@ -9,7 +9,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 
@@ -51,6 +53,19 @@ bool RawClient::send(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
   return true;
+}
+
+unsigned RawClient::segments() const {
+  // tcpi_data_segs_in of Linux 4.6, which the C library's tcp_info ends before.
+  constexpr std::size_t kDataSegmentsIn = 152;
+  std::array<unsigned char, 256> info{};
+  socklen_t size = info.size();
+  std::uint32_t segments = 0;
+  if (::getsockopt(fd_, IPPROTO_TCP, TCP_INFO, info.data(), &size) != 0 ||
+      size < kDataSegmentsIn + sizeof segments)
+    throw std::runtime_error("the system does not count TCP segments");
+  std::memcpy(&segments, &info[kDataSegmentsIn], sizeof segments);
+  return segments;
 }
 
 bool RawClient::receive() {

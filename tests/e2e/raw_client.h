@@ -41,6 +41,9 @@ class RawClient {
   Json notification(const std::string& method, const std::string& type = "");
   /// True if the daemon closes and sends nothing but notifications before.
   bool closed_by_daemon();
+  /// Received TCP segments with data: as many as writes of the daemon, or fewer, because the system
+  /// may join some.
+  unsigned segments() const;
   void half_close();
   void close();
 

@@ -34,14 +34,17 @@ ServerRig::ServerRig(config::Config settings, const device::SimulatedBoardOption
   device_view = std::make_unique<DeviceView>(config, *mailbox, *port, kEpochNs);
   server = std::make_unique<Server>(
       *device_view, state_store, patterns, history,
-      [this](const control::Event& event, const Effect*) { events.push_back(event); },
+      [this](const control::Event& event, const Effect*) {
+        events.push_back(event);
+        if (on_listener_call) on_listener_call(event);
+      },
       [this] { return wall_ms(); });
   run(200);
   EXPECT_EQ(device_view->now().state, control::State::kArmed);
 }
 
 FakeClient& ServerRig::connect(protocol::Role role) {
-  FakeClient& client = clients_.emplace_back();
+  FakeClient& client = clients_.emplace_back(*server);
   client.session.role = role;
   client.session.transport = "tcp";
   client.session.sink = &client;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -66,14 +67,27 @@ class FakePatternStorage final : public PatternStorage {
 /// A client whose socket is a list of lines.
 class FakeClient final : public Sink {
  public:
-  void send(std::string line, LineKind kind) override { lines.push_back({std::move(line), kind}); }
+  explicit FakeClient(Server& its_server) : server(its_server) {}
+  void send(std::string line, LineKind kind) override {
+    unsent_bytes += line.size() + 1;
+    lines.push_back({std::move(line), kind});
+    if (!server.flush_after_pump(session, unsent_bytes)) flush();
+  }
+  void flush() override {
+    ++flushes;
+    unsent_bytes = 0;
+  }
   void finish() override { finished = true; }
 
   struct Line {
     std::string text;
     LineKind kind;
   };
+  Server& server;
   std::deque<Line> lines;
+  /// Number of writes to its socket, if it had one.
+  int flushes = 0;
+  std::size_t unsent_bytes = 0;
   Session session;
   bool finished = false;
 };
@@ -118,6 +132,8 @@ class ServerRig {
   std::unique_ptr<DeviceView> device_view;
   std::unique_ptr<Server> server;
   std::vector<control::Event> events;
+  /// Called with each of them by the server's listener.
+  std::function<void(const control::Event&)> on_listener_call;
 
  private:
   model::Tick tick_ = 0;

@@ -153,14 +153,14 @@ TEST_F(Tokens, AReloadDuringAHandshakeIsAppliedWhenTheConnectionOpens) {
     if (secret) EXPECT_FALSE(rig_.server->log_in(client.session, secret));
   };
   set({});
-  FakeClient without;
+  FakeClient without(*rig_.server);
   admitted(without, nullptr);
   ASSERT_EQ(without.session.role, protocol::Role::kPlay);
   const access::Token owner{"owner", protocol::Role::kOperate, access::digest_of("owner-secret"),
                             ""};
   set({{"arcade", protocol::Role::kPlay, access::digest_of("play-secret"), ""}, owner});
-  FakeClient revoked;
-  FakeClient kept;
+  FakeClient revoked(*rig_.server);
+  FakeClient kept(*rig_.server);
   admitted(revoked, "play-secret");
   admitted(kept, "owner-secret");
   set({owner});

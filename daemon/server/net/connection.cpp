@@ -119,7 +119,7 @@ void Connection::send_telemetry(const SharedLine& line) {
 void Connection::on_queued(bool fits, LineKind kind) {
   counters().telemetry_dropped += queue_.take_dropped();
   if (fits) {
-    if (!in_turn_) flush();
+    if (!defer_flush()) flush();
     if (kind != LineKind::kResponse) return;
     progress_.cancel();
     // By bytes only: an answer reduces the number of pending responses.

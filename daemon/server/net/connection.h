@@ -40,6 +40,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
 
   void send(std::string line, LineKind kind) override;
   void send_telemetry(const SharedLine& line) override;
+  /// Writes as much of the queue as possible at once; `write` does the rest.
+  void flush() override;
 
   const Session& session() const noexcept { return session_; }
   /// `ticket` is released after the log-in.
@@ -106,10 +108,10 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   boost::asio::awaitable<void> wait_for_reader();
   void begin_turn() noexcept;
   boost::asio::awaitable<void> yield_turn();
-  /// Writes as much of the queue as possible at once; `write` does the rest.
-  void flush();
   /// Called after a line was queued; `fits`: the queue was not full.
   void on_queued(bool fits, LineKind kind);
+  /// True: the end of the turn, or the server's pump, will flush.
+  bool defer_flush() { return in_turn_ || server_.flush_after_pump(session_, queue_.bytes()); }
   void hold(Held line);
   /// Executes `text` before the held requests, which may start nothing afterwards.
   void bypass_held(std::string_view text);

@@ -63,6 +63,8 @@ struct HandlerContext {
   /// `connections.max`.
   std::size_t max_connections = config::ConnectionSettings{}.max;
 
+  /// One is in progress.
+  bool has_previews() const noexcept;
   /// Sessions that are not `locked`.
   std::size_t connections() const noexcept;
   /// See `Server::log_in`; logged and counted.

@@ -25,6 +25,11 @@ bool matches(const EventSubscription& subscription, std::string_view type) {
              subscription.types.end();
 }
 
+bool is_of_effect(const control::Event& event) {
+  return event.type == control::EventType::kEffectStarted ||
+         event.type == control::EventType::kEffectEnded;
+}
+
 }  // namespace
 
 Server::Server(DeviceView& device_view, StateStore& state_store, PatternLibrary& patterns,
@@ -111,6 +116,7 @@ void Server::line(Session& session, std::string_view text) {
 }
 
 void Server::pump() {
+  collecting_ = true;
   device_view_.refresh();
   const auto now = PolledTime::Clock::now();
   control_silent_.poll(now);
@@ -122,11 +128,34 @@ void Server::pump() {
   take_effect_times();
   take_events();
   device_view_.outbox().flush();
+  // Nothing waits for the slices of previews, which take up to 2 ms.
+  if (context_.has_previews()) {
+    flush_sinks();
+    collecting_ = false;
+  }
   dispatcher_.poll();
   release();
   telemetry_.pump();
+  collecting_ = false;
+  flush_sinks();
   record_telemetry();
   context_.history.pump(wall_clock_());
+}
+
+bool Server::flush_after_pump(Session& session, std::size_t unsent_bytes) {
+  if (!collecting_ || unsent_bytes >= WriteQueue::kChunkBytes) return false;
+  if (!std::exchange(session.flush_due, true)) flush_due_.push_back(session.id);
+  return true;
+}
+
+void Server::flush_sinks() {
+  for (const ConnectionId id : flush_due_) {
+    const auto session = context_.sessions.find(id);
+    if (session == context_.sessions.end()) continue;
+    session->second->flush_due = false;
+    session->second->sink->flush();
+  }
+  flush_due_.clear();
 }
 
 bool Server::busy() const noexcept {
@@ -175,6 +204,8 @@ void Server::notify(const control::Event& event, const Effect* effect) {
       session->sink->send(line, LineKind::kEvent);
     }
   }
+  // See EventListener.
+  if (!is_of_effect(event)) flush_sinks();
   if (listener_) listener_(event, effect);
   // After the listener, which persists a latch first.
   if (view) record_event(*view, event, effect);

@@ -25,8 +25,9 @@ namespace hedgehog::server {
 
 class Server {
  public:
-  /// Called for every event of the control thread, also those not sent to clients, after the
-  /// clients were notified. `effect`: nullptr for other events.
+  /// Called for every event of the control thread, also those not sent to clients. `effect`:
+  /// nullptr for other events. Clients have received an event that is not of an effect before it is
+  /// called; only for those may it take long, for example to write to the log.
   using EventListener = std::function<void(const control::Event&, const Effect* effect)>;
 
   /// Milliseconds since 1970, for recorded events.
@@ -70,6 +71,10 @@ class Server {
 
   /// Publishes the control thread's events and snapshot.
   void pump();
+  /// To be called by a sink that was sent a line and has `unsent_bytes`. True: more lines come with
+  /// this `pump`, and `Sink::flush` is called after the last of them, so that they leave in one
+  /// write. False: there is nothing to wait for, or it is a write of its own already.
+  bool flush_after_pump(Session& session, std::size_t unsent_bytes);
   /// Number of pending responses to `session`.
   std::size_t pending(const Session& session) const noexcept {
     return dispatcher_.pending(session.id);
@@ -103,6 +108,7 @@ class Server {
  private:
   void revoke(Session& session);
   void release();
+  void flush_sinks();
   void take_effect_times();
   void take_events();
   void notify(const control::Event& event, const Effect* effect);
@@ -120,6 +126,8 @@ class Server {
   Dispatcher dispatcher_;
   TelemetryPublisher telemetry_;
   std::vector<ConnectionId> closing_;
+  std::vector<ConnectionId> flush_due_;
+  bool collecting_ = false;
   ConnectionId last_id_ = 0;
   model::Tick last_tick_ = 0;
   PolledTime control_silent_{PolledTime::Clock::now()};

@@ -18,6 +18,11 @@ constexpr std::int64_t kFullMs = 1000;
 
 }  // namespace
 
+bool HandlerContext::has_previews() const noexcept {
+  return std::any_of(
+      previews.begin(), previews.end(), [](const auto& entry) { return !entry.second.expired(); });
+}
+
 std::size_t HandlerContext::connections() const noexcept {
   return static_cast<std::size_t>(std::count_if(
       sessions.begin(), sessions.end(), [](const auto& one) { return !one.second->locked; }));

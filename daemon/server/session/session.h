@@ -32,6 +32,9 @@ class Sink {
   virtual void send_telemetry(const SharedLine& line) {
     send(line->substr(0, line->size() - 1), LineKind::kTelemetry);
   }
+  /// Writes the queued lines without waiting for more (see `Server::flush_after_pump`); neither
+  /// sends lines nor ends a session within this call.
+  virtual void flush() = 0;
   /// No more lines follow: the queued ones may be sent, then the session ends.
   virtual void finish() = 0;
 };
@@ -71,6 +74,8 @@ struct Session {
   std::optional<TelemetrySubscription> telemetry;
   std::optional<EventSubscription> events;
   Sink* sink = nullptr;
+  /// Its sink is flushed before the present `Server::pump` ends.
+  bool flush_due = false;
   /// A batch is not executed further when its responses are longer.
   std::size_t batch_bytes = std::size_t{512} << 10;
   /// Size of responses that wait for others of their batch.
