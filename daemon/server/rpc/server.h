@@ -26,8 +26,8 @@ namespace hedgehog::server {
 class Server {
  public:
   /// Called for every event of the control thread, also those not sent to clients. `effect`:
-  /// nullptr for other events. Clients have received an event that is not of an effect before it is
-  /// called; only for those may it take long, for example to write to the log.
+  /// nullptr for other events. For an event that is not of an effect the sinks are flushed first;
+  /// only for those may it take long, for example to write to the log.
   using EventListener = std::function<void(const control::Event&, const Effect* effect)>;
 
   /// Milliseconds since 1970, for recorded events.
