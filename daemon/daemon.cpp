@@ -41,6 +41,11 @@ constexpr std::chrono::milliseconds kShutdownTimeout{1500};
 /// Time for responses that wait for the disk; control has ended. Previews have a pump per slice.
 constexpr std::chrono::milliseconds kLastResponses{1000};
 
+std::optional<control::Pace> pace_of(const Options& options) {
+  if (!options.speed) return {};
+  return control::Pace{*options.speed, options.step_ms.value_or(1)};
+}
+
 }  // namespace
 
 Daemon::Daemon(const Options& options, const config::Paths& paths, const config::Config& config)
@@ -53,7 +58,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
         // Opened first: a second daemon must not access the board of the first.
         listener_.open(config);
         const StartState start = start_state(config, saved_, server::boot_time_now());
-        return {config, start.settings, start.simulated_c, options.speed};
+        return {config, start.settings, start.simulated_c, pace_of(options)};
       }()),
       reload_(paths, options.overrides),
       device_view_(config, threads_.mailbox(), threads_.port(), threads_.loop().origin_ns()),

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "daemon/control/loop/control_loop.h"
-#include "daemon/control/loop/lockstep_loop.h"
 #include "daemon/device/simulator/process_lock_step.h"
 #include "daemon/device/simulator/simulated_board_transport.h"
 #include "daemon/device/usb/libusb_port.h"
@@ -34,12 +33,12 @@ device::SimulatedBoardOptions board_options(const config::Config& config, double
 }  // namespace
 
 DeviceThreads::DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
-                             double start_c, std::optional<int> speed)
+                             double start_c, std::optional<control::Pace> pace)
     // The queues' memory is used as they fill; it need not be initialised.
     : mailbox_(std::make_unique_for_overwrite<control::Mailbox>()),
       port_(std::make_unique<device::LinkPort>()) {
-  if (speed) {
-    loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_, *speed,
+  if (pace) {
+    loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_, *pace,
                                                     make_stepped_board(config, start_c));
     sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_, usb_board_.get());
     return;

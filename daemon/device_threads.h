@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "daemon/config/config.h"
+#include "daemon/control/loop/lockstep_loop.h"
 #include "daemon/control/loop/loop.h"
 #include "daemon/control/mailbox.h"
 #include "daemon/control/recording/flight_recorder.h"
@@ -24,10 +25,10 @@ namespace hedgehog::daemon {
 /// loop from `loop().start()`.
 class DeviceThreads {
  public:
-  /// `start_c`: temperature of the simulated ball. `speed`: lock-step at this multiple of real
-  /// time. Throws std::system_error.
+  /// `start_c`: temperature of the simulated ball. With `pace` it runs in lock-step. Throws
+  /// std::system_error.
   DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
-                double start_c, std::optional<int> speed);
+                double start_c, std::optional<control::Pace> pace);
 
   control::Loop& loop() noexcept { return *loop_; }
   control::Mailbox& mailbox() noexcept { return *mailbox_; }

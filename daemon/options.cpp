@@ -3,9 +3,12 @@
 
 #include <sysexits.h>
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 #include "cli/program.h"
+#include "daemon/control/loop/lockstep_loop.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -15,7 +18,6 @@ constexpr const char* kAbout =
     "keeps\n"
     "the coils cool. Runs in the foreground. Without a configuration file it simulates a ball.";
 constexpr const char* kVersion = "hedgehogd " HEDGEHOG_VERSION ", protocol 1.0";
-constexpr int kFastest = 100;
 
 }  // namespace
 
@@ -36,7 +38,12 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   app.add_option("--speed", options.speed,
                  "with --simulate: in lock-step, N times real time, 1 to 100")
       .type_name("N")
-      .range(1, kFastest);
+      .range(1, control::kMaxTicksPerStep);
+  app.add_option("--step-ms", options.step_ms,
+                 "with --speed: M ms at a time, 1 to 100 by N: less processor time for many balls "
+                 "on a machine, but effects begin up to M ms later")
+      .type_name("M")
+      .range(1, control::kMaxTicksPerStep);
   app.add_option("--listen", overrides.listen,
                  "instead of 127.0.0.1:7586 and [::1]:7586; tls://A:P, and whatever other machines "
                  "can reach: with TLS and tokens; port 0 takes a free one and prints it")
@@ -50,6 +57,17 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   if (const auto code = app.parse_and_print(argc, argv, kAdministratorSection)) return *code;
   if (options.speed && !overrides.simulate) {
     std::cerr << app.usage_error("--speed: only with --simulate: a real ball keeps real time")
+              << "\n";
+    return EX_USAGE;
+  }
+  if (options.step_ms && !options.speed) {
+    std::cerr << app.usage_error("--step-ms: only with --speed") << "\n";
+    return EX_USAGE;
+  }
+  if (options.step_ms && *options.step_ms * *options.speed > control::kMaxTicksPerStep) {
+    std::cerr << app.usage_error(fmt::format("--step-ms: {} with --speed {}, at most {}",
+                                             *options.step_ms, *options.speed,
+                                             control::kMaxTicksPerStep / *options.speed))
               << "\n";
     return EX_USAGE;
   }

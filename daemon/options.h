@@ -17,6 +17,8 @@ struct Options {
   std::optional<std::string> replay;
   /// Ticks of device time per millisecond, in lock-step; only with --simulate.
   std::optional<int> speed;
+  /// Real time from one step of the simulation to the next, ms; only with `speed`.
+  std::optional<int> step_ms;
   config::Overrides overrides;
 };
 

@@ -8,10 +8,12 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <thread>
 
 #include "daemon/control/loop/control_loop.h"
 #include "daemon/control/loop/lockstep_loop.h"
+#include "daemon/device/tick_clock.h"
 #include "tests/rig/rig.h"
 
 namespace hedgehog::control {
@@ -55,7 +57,8 @@ class Io {
 
 TEST(LockstepLoop, PlaysEffectsAndStopsSafely) {
   Io io;
-  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, &io.recorder, {}, 20);
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, &io.recorder, {},
+                    {.speed = 20});
   loop.start();
   ASSERT_TRUE(io.armed());
   io.start(3, rig::hold({1, 0, 0}, 5.0, kUnlimited));
@@ -77,7 +80,8 @@ TEST(LockstepLoop, RunsMinutesOfHeatInSeconds) {
   Io io;
   device::SimulatedBoardOptions board;
   board.start_c = 58.0;
-  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, board, 100);
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, board,
+                    {.speed = 100});
   loop.start();
   ASSERT_TRUE(io.armed());
   io.start(0, rig::hold({1, 0, 0}, 15.0, kUnlimited));
@@ -85,9 +89,39 @@ TEST(LockstepLoop, RunsMinutesOfHeatInSeconds) {
   EXPECT_GT(io.status.thermal.hottest_c, 59.0);
 }
 
+/// The wake-ups of a loop up to its last tick.
+std::uint64_t wake_ups(const LoopStatistics& loop) {
+  const auto& counts = loop.lateness.counts;
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+TEST(LockstepLoop, ALongerStepHasFewerWakeUpsAndTheSamePace) {
+  constexpr Pace kPace{.speed = 2, .step_ms = 25};
+  constexpr std::uint64_t kTicks = 50;
+  Io io;
+  const std::int64_t begun_ns = device::monotonic_ns();
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, kPace);
+  loop.start();
+  ASSERT_TRUE(io.wait([&] { return io.status.loop.ticks > 10 * kTicks; }));
+  const std::int64_t run_ns = device::monotonic_ns() - begun_ns;
+  EXPECT_LE(io.status.tick, kPace.speed * run_ns / model::kNanosecondsPerTick);
+  EXPECT_EQ(wake_ups(io.status.loop), (io.status.loop.ticks + kTicks - 1) / kTicks);
+}
+
+TEST(LockstepLoop, AStepHasAHundredTicksAtMost) {
+  Io io;
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {},
+                    {.speed = 40, .step_ms = 1000});
+  loop.start();
+  ASSERT_TRUE(io.wait([&] { return io.status.loop.ticks > 400; }));
+  // 40 times real time fit twice.
+  EXPECT_EQ(wake_ups(io.status.loop), (io.status.loop.ticks + 79) / 80);
+}
+
 TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
   Io io;
-  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 10);
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {},
+                    {.speed = 10});
   loop.start();
   ASSERT_TRUE(io.armed());
   io.start(0, rig::hold({1, 0, 0}, 5.0, kUnlimited));
@@ -101,7 +135,8 @@ TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
 
 TEST(LockstepLoop, NoEndedEventIsLostWhileTheyAreUnread) {
   Io io;
-  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 50);
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {},
+                    {.speed = 50});
   // The queue is full before the loop starts.
   while (io.mailbox->events.push(Event{})) {
   }

@@ -62,6 +62,10 @@ TEST(Start, ErrorsHaveTheirExitCodes) {
   EXPECT_EQ(run_daemon(home, {"--nonsense"}).exit_code, kUsage);
   EXPECT_EQ(run_daemon(home, {"--speed", "10"}).exit_code, kUsage);
   EXPECT_EQ(run_daemon(home, {"--simulate", "--speed", "1000"}).exit_code, kUsage);
+  EXPECT_EQ(run_daemon(home, {"--simulate", "--step-ms", "10"}).exit_code, kUsage);
+  const Ended far = run_daemon(home, {"--simulate", "--speed", "40", "--step-ms", "3"});
+  EXPECT_EQ(far.exit_code, kUsage);
+  EXPECT_NE(far.err.find("--step-ms: 3 with --speed 40, at most 2"), std::string::npos) << far.err;
   EXPECT_EQ(run_daemon(home, {"--check-config"}).exit_code, 0);
   EXPECT_EQ(run_daemon(home, {"--replay", "/no/such/file"}).exit_code, 66);
   const Ended version = run_daemon(home, {"--version"});

@@ -11,39 +11,39 @@
 namespace hedgehog::control {
 namespace {
 
-int in_range(int speed) noexcept {
-  constexpr int kMinSpeed = 1;
-  constexpr int kMaxSpeed = 100;
-  return std::clamp(speed, kMinSpeed, kMaxSpeed);
+Pace in_range(const Pace& pace) noexcept {
+  const int speed = std::clamp(pace.speed, 1, kMaxTicksPerStep);
+  return {speed, std::clamp(pace.step_ms, 1, kMaxTicksPerStep / speed)};
 }
 
 }  // namespace
 
 LockstepLoop::LockstepLoop(const ControlSettings& settings, Mailbox& mailbox,
                            device::LinkPort& port, FlightRecorder* recorder,
-                           const device::SimulatedBoardOptions& board, int speed)
-    : LockstepLoop(settings, mailbox, port, recorder, speed,
+                           const device::SimulatedBoardOptions& board, Pace pace)
+    : LockstepLoop(settings, mailbox, port, recorder, pace,
                    std::make_unique<device::LockStep>(port, board)) {}
 
 LockstepLoop::LockstepLoop(const ControlSettings& settings, Mailbox& mailbox,
-                           device::LinkPort& port, FlightRecorder* recorder, int speed,
+                           device::LinkPort& port, FlightRecorder* recorder, Pace pace,
                            std::unique_ptr<device::SteppedBoard> board)
-    : Loop(settings, mailbox, port, recorder, in_range(speed)),
-      speed_(in_range(speed)),
+    : Loop(settings, mailbox, port, recorder, in_range(pace).speed),
+      pace_(in_range(pace)),
       board_(std::move(board)) {}
 
 void LockstepLoop::run() noexcept {
   using device::monotonic_ns;
   model::Tick now = 0;
+  const std::int64_t step_ns = pace_.step_ms * model::kNanosecondsPerTick;
   std::int64_t due_ns = monotonic_ns();
   LoopMeter meter(due_ns);
   while (!stopping()) {
-    due_ns += model::kNanosecondsPerTick;
+    due_ns += step_ns;
     sleep_until_ns(due_ns);
     const std::int64_t woke_ns = monotonic_ns();
     meter.woke(woke_ns, woke_ns - due_ns);
-    due_ns = std::max(due_ns, woke_ns - model::kNanosecondsPerTick);
-    for (int i = 0; i < speed_; ++i) {
+    due_ns = std::max(due_ns, woke_ns - step_ns);
+    for (int i = 0; i < pace_.ticks_per_step(); ++i) {
       meter.ticked(0);
       const std::int64_t begun_ns = monotonic_ns();
       tick().run(++now, 0, meter.statistics());
