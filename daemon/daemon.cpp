@@ -41,11 +41,6 @@ constexpr std::chrono::milliseconds kShutdownTimeout{1500};
 /// Time for responses that wait for the disk; control has ended. Previews have a pump per slice.
 constexpr std::chrono::milliseconds kLastResponses{1000};
 
-std::optional<control::Pace> pace_of(const Options& options) {
-  if (!options.speed) return {};
-  return control::Pace{*options.speed, options.step_ms.value_or(1)};
-}
-
 }  // namespace
 
 Daemon::Daemon(const Options& options, const config::Paths& paths, const config::Config& config)
@@ -58,9 +53,10 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
         // Opened first: a second daemon must not access the board of the first.
         listener_.open(config);
         const StartState start = start_state(config, saved_, server::boot_time_now());
-        return {config, start.settings, start.simulated_c, pace_of(options)};
+        return {config, start.settings, start.simulated_c, options.pace()};
       }()),
       reload_(paths, options.overrides),
+      event_wait_(io_, threads_.mailbox().wake_io, options.speed.value_or(1)),
       device_view_(config, threads_.mailbox(), threads_.port(), threads_.loop().origin_ns()),
       state_store_(config.state_directory, disk_, device_view_, saved_),
       devices_(config_, threads_.sensors(), scan_thread_),
@@ -126,7 +122,6 @@ void Daemon::start_listening() {
 }
 
 asio::awaitable<void> Daemon::pump() {
-  asio::steady_timer timer(io_);
   const StartupGrace startup_grace(Clock::now());
   while (!stopping_) {
     server_.pump();
@@ -147,8 +142,7 @@ asio::awaitable<void> Daemon::pump() {
       co_await asio::post(io_, asio::use_awaitable);
       continue;
     }
-    timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
-    co_await server::wait(timer);
+    co_await event_wait_.wait(server_.pump_due_in());
   }
 }
 

@@ -17,6 +17,7 @@
 #include "daemon/options.h"
 #include "daemon/server/device/ball_warnings.h"
 #include "daemon/server/device/device_view.h"
+#include "daemon/server/device/event_wait.h"
 #include "daemon/server/device/file_state_store.h"
 #include "daemon/server/disk/disk_thread.h"
 #include "daemon/server/disk/pattern_files.h"
@@ -65,6 +66,7 @@ class Daemon {
   ConfigReload reload_;
   server::DiskThread scan_thread_{"scan"};
   server::DiskThread disk_;
+  server::EventWait event_wait_;
   server::DeviceView device_view_;
   server::FileStateStore state_store_;
   server::BallWarnings warnings_;

@@ -8,7 +8,6 @@
 #include <iostream>
 
 #include "cli/program.h"
-#include "daemon/control/loop/lockstep_loop.h"
 
 namespace hedgehog::daemon {
 namespace {

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "daemon/config/load_config.h"
+#include "daemon/control/loop/lockstep_loop.h"
 
 namespace hedgehog::daemon {
 
@@ -20,6 +21,12 @@ struct Options {
   /// Real time from one step of the simulation to the next, ms; only with `speed`.
   std::optional<int> step_ms;
   config::Overrides overrides;
+
+  /// Of the lock-step, if it is requested.
+  std::optional<control::Pace> pace() const {
+    if (!speed) return {};
+    return control::Pace{*speed, step_ms.value_or(1)};
+  }
 };
 
 /// The options, or the exit code if nothing is left to do (--help, --version, a usage error).

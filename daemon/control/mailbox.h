@@ -11,6 +11,7 @@
 #include "base/triple_buffer.h"
 #include "daemon/control/effects/command.h"
 #include "daemon/control/effects/effect_times.h"
+#include "daemon/control/event_signal.h"
 #include "daemon/control/snapshot.h"
 #include "daemon/control/state/event.h"
 #include "daemon/control/step_inputs.h"
@@ -99,6 +100,9 @@ struct Mailbox {
   boost::lockfree::spsc_queue<Event, boost::lockfree::capacity<kEvents>> events;
   boost::lockfree::spsc_queue<EffectTimes, boost::lockfree::capacity<kEffectTimes>> effect_times;
   base::TripleBuffer<StatusSnapshot> status;
+  /// Raised by control when `events` got some, after `status` was written; by io when a request
+  /// waits for a tick, so that it does not wait for the end of a pause.
+  EventSignal wake_io;
 };
 
 }  // namespace hedgehog::control

@@ -47,11 +47,12 @@ void ControlTick::run(model::Tick tick, std::uint32_t skipped,
   send(command);
   const std::int64_t sent_ns = inputs_.command_count > 0 ? device::monotonic_ns() : 0;
   if (recorder_ != nullptr) recorder_->after(controller_, command, events_);
-  publish();
+  const bool unread = publish();
   controller_.fill(snapshot_);
   snapshot_.loop = statistics;
   add_up(skipped, sent_ns);
   mailbox_.status.write(snapshot_);
+  if (unread) mailbox_.wake_io.raise();
 }
 
 void ControlTick::add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept {
@@ -81,7 +82,7 @@ void ControlTick::send(const device::BoardCommand& command) noexcept {
 
 bool ControlTick::publish(const Event& event) noexcept { return mailbox_.events.push(event); }
 
-void ControlTick::publish() noexcept {
+bool ControlTick::publish() noexcept {
   std::size_t published = 0;
   while (published < backlog_size_ && publish(backlog_[published])) ++published;
   std::copy(backlog_.begin() + static_cast<std::ptrdiff_t>(published),
@@ -94,14 +95,16 @@ void ControlTick::publish() noexcept {
     const std::size_t capacity = of_effect ? kBacklog : kBacklog - kKeptForEffects;
     if (backlog_size_ < capacity) backlog_[backlog_size_++] = event;
   }
+  return published > 0 || !events_.empty();
 }
 
 void ControlTick::shut_down() noexcept {
   controller_.end_all(EndReason::kStopped, events_);
-  publish();
+  const bool unread = publish();
   controller_.fill(snapshot_);
   snapshot_.limited_a = {};
   mailbox_.status.write(snapshot_);
+  if (unread) mailbox_.wake_io.raise();
 }
 
 bool ControlTick::run_safe() noexcept {

@@ -41,7 +41,8 @@ class ControlTick {
   /// `sent_ns`: when the command was handed over, if requests have arrived.
   void add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept;
   void send(const device::BoardCommand& command) noexcept;
-  void publish() noexcept;
+  /// True: there are events for io to read.
+  bool publish() noexcept;
   bool publish(const Event& event) noexcept;
 
   /// Events for which the queue was full. Effects cannot fill it: io reuses a place only after it

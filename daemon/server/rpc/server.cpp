@@ -113,6 +113,7 @@ void Server::line(Session& session, std::string_view text) {
   device_view_.outbox().set_received(session.received_ns);
   dispatcher_.line(session, text);
   device_view_.outbox().set_received(0);
+  if (is_waiting()) device_view_.mailbox().wake_io.raise();
 }
 
 void Server::pump() {
@@ -158,11 +159,12 @@ void Server::flush_sinks() {
   flush_due_.clear();
 }
 
-bool Server::busy() const noexcept {
-  return dispatcher_.waiting() || device_view_.outbox().waiting() ||
-         std::any_of(
-             context_.sessions.begin(), context_.sessions.end(),
-             [](const auto& entry) { return entry.second->telemetry || entry.second->events; });
+model::Tick Server::pump_due_in() const noexcept {
+  return is_waiting() ? 1 : telemetry_.due_in();
+}
+
+bool Server::is_waiting() const noexcept {
+  return dispatcher_.waiting() || device_view_.outbox().waiting();
 }
 
 void Server::take_effect_times() {

@@ -81,8 +81,9 @@ class Server {
   }
   /// Responses are pending.
   bool has_pending() const noexcept { return dispatcher_.waiting(); }
-  /// A client waits for the next tick: pump again in a millisecond.
-  bool busy() const noexcept;
+  /// Ticks until the next `pump` is due, unless events come earlier: the next one while a client
+  /// waits for it, else that of the next telemetry, if any (see TelemetryPublisher::kNever).
+  model::Tick pump_due_in() const noexcept;
   /// Telemetry is unsent, so that requests are served in between: pump again at once.
   bool has_unsent_telemetry() const noexcept { return telemetry_.has_unsent(); }
 
@@ -106,6 +107,8 @@ class Server {
   DeviceView& device_view() noexcept { return device_view_; }
 
  private:
+  /// A request waits for a tick.
+  bool is_waiting() const noexcept;
   void revoke(Session& session);
   void release();
   void flush_sinks();

@@ -27,14 +27,20 @@ void TelemetryPublisher::pump() {
     wanted->due = false;
     wanted->next += wanted->period;
     if (wanted->next <= now) wanted->next = now + wanted->period;
+    next_ = std::min(next_, wanted->next);
     session->second->sink->send_telemetry(line(wanted->fields));
     ++sent;
   }
 }
 
 void TelemetryPublisher::find_due(model::Tick now) {
+  next_ = kNever;
   for (const auto& [id, session] : context_.sessions) {
-    if (!session->telemetry || session->telemetry->due || session->telemetry->next > now) continue;
+    if (!session->telemetry || session->telemetry->due) continue;
+    if (session->telemetry->next > now) {
+      next_ = std::min(next_, session->telemetry->next);
+      continue;
+    }
     session->telemetry->due = true;
     due_.push_back(id);
   }

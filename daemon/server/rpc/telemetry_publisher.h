@@ -3,6 +3,7 @@
 // fields, and the bytes are shared by all clients with that list.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -22,6 +23,7 @@ class TelemetryPublisher {
  public:
   /// Maximum number of lines per `pump`, which bounds the delay of requests.
   static constexpr std::size_t kSlice = 64;
+  static constexpr model::Tick kNever = model::Tick{1} << 60;
 
   explicit TelemetryPublisher(HandlerContext& context) : context_(context) {}
 
@@ -30,6 +32,10 @@ class TelemetryPublisher {
   void pump();
   /// Some sessions have not been served by the last `pump`.
   bool has_unsent() const noexcept { return !due_.empty(); }
+  /// Ticks from the last `pump` until the next session is due, at least 1; kNever without any.
+  model::Tick due_in() const noexcept {
+    return next_ == kNever ? kNever : std::max<model::Tick>(next_ - tick_, 1);
+  }
 
  private:
   void find_due(model::Tick now);
@@ -40,6 +46,8 @@ class TelemetryPublisher {
   /// In the order in which they became due.
   std::deque<ConnectionId> due_;
   model::Tick tick_ = -1;
+  /// When the first session that is not in `due_` will be.
+  model::Tick next_ = kNever;
   // Of `tick_`.
   std::array<std::optional<protocol::Status>, 2> status_;  // without and with pins
   std::vector<std::pair<protocol::StatusKeys, SharedLine>> lines_;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What a client that only watches costs the daemon.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+/// How often the io thread, the first one, has gone to sleep.
+long sleeps(const DaemonProcess& daemon) {
+  std::ifstream status("/proc/" + std::to_string(daemon.pid()) + "/status");
+  for (std::string word; status >> word;) {
+    long count = 0;
+    if (word == "voluntary_ctxt_switches:" && status >> count) return count;
+  }
+  ADD_FAILURE() << "no count";
+  return 0;
+}
+
+TEST(IdleClient, TelemetryAtOneHertzAndEventsDoNotWakeTheDaemonEachMillisecond) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient watcher(daemon.port());
+  watcher.call("events.subscribe", {{"scope", "all"}});
+  watcher.call("telemetry.subscribe", {{"rate_hz", 1}});
+  watcher.notification("telemetry");
+  const long before = sleeps(daemon);
+  constexpr int kSeconds = 3;
+  for (int i = 0; i < kSeconds; ++i) watcher.notification("telemetry");
+  // Of the ball's time, which a busy machine slows down. It is 100 on an idle one.
+  constexpr int kPerSecond = 500;
+  EXPECT_LT(sleeps(daemon) - before, kPerSecond * kSeconds);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

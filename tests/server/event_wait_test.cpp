@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// When the io thread looks at the ball: signalled by control's events, and in time for telemetry.
+#include "daemon/server/device/event_wait.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <chrono>
+
+#include "tests/server/server_rig.h"
+
+namespace hedgehog::server {
+namespace {
+
+namespace asio = boost::asio;
+using std::chrono::steady_clock;
+
+bool raised(const control::EventSignal& signal) {
+  pollfd poll{signal.descriptor(), POLLIN, 0};
+  return ::poll(&poll, 1, 0) == 1;
+}
+
+/// Duration of 50 waits for as long as possible, each with or without an event.
+steady_clock::duration waits(bool events) {
+  asio::io_context io{1};
+  control::EventSignal signal;
+  EventWait wait(io, signal, 1);
+  const auto begun = steady_clock::now();
+  asio::co_spawn(
+      io,
+      [&]() -> asio::awaitable<void> {
+        for (int i = 0; i < 50; ++i) {
+          if (events) signal.raise();
+          co_await wait.wait(TelemetryPublisher::kNever);
+        }
+        io.stop();
+      },
+      asio::detached);
+  io.run();
+  return steady_clock::now() - begun;
+}
+
+TEST(EventWait, AnEventEndsTheWait) {
+  const auto without = waits(false);
+  EXPECT_GE(without, 50 * EventWait::kLongest);
+  EXPECT_LT(waits(true), without);
+}
+
+TEST(EventWait, ControlRaisesTheSignalForEveryEvent) {
+  ServerRig rig;
+  FakeClient& client = rig.connect();
+  rig.call(client, "device.arm");
+  rig.run(20);
+  const auto& signal = rig.mailbox->wake_io;
+  rig.mailbox->wake_io.take();
+  rig.run(50);
+  EXPECT_FALSE(raised(signal)) << "there was no event";
+  rig.call(client, "effect.pulse", {{"direction", "left"}, {"duration_ms", 30}});
+  rig.run(5);
+  EXPECT_TRUE(raised(signal)) << "it has started";
+  rig.mailbox->wake_io.take();
+  rig.run(100);
+  EXPECT_TRUE(raised(signal)) << "it has ended";
+}
+
+TEST(EventWait, PumpsAreDueForTelemetryAndForClientsThatWaitForATick) {
+  ServerRig rig;
+  FakeClient& client = rig.connect();
+  rig.call(client, "events.subscribe");
+  rig.run(1);
+  EXPECT_EQ(rig.server->pump_due_in(), TelemetryPublisher::kNever);
+  rig.call(client, "telemetry.subscribe", {{"rate_hz", 20}});
+  FakeClient& faster = rig.connect();
+  rig.call(faster, "telemetry.subscribe", {{"rate_hz", 100}});
+  rig.run(1);
+  for (int i = 0; i < 200; ++i) {
+    const model::Tick due_in = rig.server->pump_due_in();
+    ASSERT_GE(due_in, 1);
+    ASSERT_LE(due_in, 10);
+    client.lines.clear();
+    faster.lines.clear();
+    rig.run(due_in - 1);
+    ASSERT_TRUE(client.lines.empty() && faster.lines.empty()) << "earlier than said";
+    rig.run(1);
+    ASSERT_FALSE(client.lines.empty() && faster.lines.empty()) << "not when said";
+  }
+  rig.call(client, "telemetry.unsubscribe");
+  rig.call(faster, "telemetry.unsubscribe");
+  rig.run(50);
+  EXPECT_EQ(rig.server->pump_due_in(), TelemetryPublisher::kNever);
+  rig.mailbox->wake_io.take();
+  rig.server->line(client.session,
+                   R"({"jsonrpc": "2.0", "id": 1, "method": "device.emergency_stop"})");
+  EXPECT_EQ(rig.server->pump_due_in(), 1);
+  EXPECT_TRUE(raised(rig.mailbox->wake_io)) << "it does not wait for the end of a pause";
+}
+
+}  // namespace
+}  // namespace hedgehog::server
