@@ -144,7 +144,7 @@ def main(folder):
         after, took = fleet.usage(), time.monotonic() - begun
         span = f"{int(SECONDS)}s"
         scrapes = query(prometheus, f"sum(count_over_time(up[{span}]))")
-        good = query(prometheus, f"sum(sum_over_time(up[{span}]))")
+        failed = query(prometheus, f"sum(count_over_time(up[{span}]) - sum_over_time(up[{span}]))")
         dropped_by_broker = dropped(folder / "broker.sock")
     finally:
         fleet.end()
@@ -155,7 +155,7 @@ def main(folder):
     balls = telemetry_of((folder / "telemetry").read_text().splitlines()).values()
     print(f"telemetry: {sum(map(len, balls))} messages of {len(balls)} balls, {sum(map(missing, balls))} missing, "
           f"{dropped_by_broker} dropped by the broker; slowest ball {min(map(pace, balls), default=0):.2f} × real time")
-    print(f"scrapes: {DAEMONS * SECONDS / SCRAPE_S:.0f} due, {scrapes} made, {scrapes - good} of them failed")
+    print(f"scrapes: {DAEMONS * SECONDS / SCRAPE_S:.0f} due, {scrapes} made, {failed} of them failed")
     if len(balls) != DAEMONS or not scrapes:
         sys.exit("tests/fleet: not every ball was heard of")
     if dropped_by_broker:
