@@ -26,9 +26,10 @@ def limit(process):
 
 
 class LiveDaemon:
-    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`)."""
+    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`). Its pages,
+    and WebSocket, are at `pages_address` if `pages` is where to listen, such as "tls://127.0.0.1:0"."""
 
-    def __init__(self, program, role="play"):
+    def __init__(self, program, role="play", pages=None):
         self._folder = tempfile.TemporaryDirectory()
         self.token = "hht_of-a-test"
         self.fingerprint = self._make_access(os.path.join(self._folder.name, "hedgehog"), role)
@@ -37,18 +38,25 @@ class LiveDaemon:
             environment[name] = self._folder.name
         for name in ("RUNTIME_DIRECTORY", "STATE_DIRECTORY"):
             environment.pop(name, None)
+        if pages:
+            with open(os.path.join(self._folder.name, "hedgehog", "hedgehogd.json"), "w", encoding="ascii") as config:
+                json.dump({"http": {"listen": pages}}, config)
         self._process = subprocess.Popen([program, *SIMULATE, "--listen", "tls://127.0.0.1:0", "--listen", "127.0.0.1:0"],
                                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         timer = limit(self._process)
         self.address = ""
         self.tls_address = ""
+        self.pages_address = ""
         for line in self._process.stdout:
-            found = re.match(r"listening on ((tls://)?127\.0\.0\.1:\d+)$", line)
-            if found and found.group(2):
-                self.tls_address = found.group(1)
-            elif found:
-                self.address = found.group(1)
-                break
+            found = re.match(r"listening on ((tls|http|https)://)?(127\.0\.0\.1:\d+)$", line)
+            if not found:
+                break  # the Unix socket, the last one
+            if found.group(2) == "tls":
+                self.tls_address = "tls://" + found.group(3)
+            elif found.group(2):
+                self.pages_address = found.group(1) + found.group(3)
+            else:
+                self.address = found.group(3)
         timer.cancel()
         if not self.address:
             self.stop()
