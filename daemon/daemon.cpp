@@ -35,8 +35,8 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kBusyPause{1};
-constexpr std::chrono::milliseconds kIdlePause{10};
+constexpr std::chrono::milliseconds kResponsePause{1};
+constexpr std::chrono::milliseconds kClosingPause{10};
 constexpr std::chrono::milliseconds kShutdownTimeout{1500};
 /// Time for responses that wait for the disk; control has ended. Previews have a pump per slice.
 constexpr std::chrono::milliseconds kLastResponses{1000};
@@ -56,7 +56,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
         return {config, start.settings, start.simulated_c, options.pace()};
       }()),
       reload_(paths, options.overrides),
-      event_wait_(io_, threads_.mailbox().wake_io, options.speed.value_or(1)),
+      event_wait_(io_, threads_.mailbox().wake_io, options.pace().value_or(control::Pace{})),
       device_view_(config, threads_.mailbox(), threads_.port(), threads_.loop().origin_ns()),
       state_store_(config.state_directory, disk_, device_view_, saved_),
       devices_(config_, threads_.sensors(), scan_thread_),
@@ -182,7 +182,7 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
   model::Tick pumps = 0;
   while (server_.has_pending() &&
          (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_response)) {
-    timer.expires_after(kBusyPause);
+    timer.expires_after(kResponsePause);
     co_await server::wait(timer);
     server_.pump();
   }
@@ -190,7 +190,7 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
   announcement_.reset();
   const auto until = Clock::now() + kShutdownTimeout;
   while ((!history_.flush() || !listener_.empty()) && Clock::now() < until) {
-    timer.expires_after(kIdlePause);
+    timer.expires_after(kClosingPause);
     co_await server::wait(timer);
   }
   if (!history_.flush()) spdlog::warn("the disk is slow; the history may lack the newest events");

@@ -37,12 +37,13 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   app.add_option("--speed", options.speed,
                  "with --simulate: in lock-step, N times real time, 1 to 100")
       .type_name("N")
-      .range(1, control::kMaxTicksPerStep);
-  app.add_option("--step-ms", options.step_ms,
-                 "with --speed: M ms at a time, 1 to 100 by N: less processor time for many balls "
-                 "on a machine, but effects begin up to M ms later")
+      .range(1, control::Pace::kMaxSpeed);
+  app.add_option(
+         "--step-ms", options.step_ms,
+         "with --speed: M ms at a time, 1 to 20, N times M at most 100: less processor time "
+         "for many balls on a machine, but requests take effect up to M ms later")
       .type_name("M")
-      .range(1, control::kMaxTicksPerStep);
+      .range(1, control::Pace::kMaxStepMs);
   app.add_option("--listen", overrides.listen,
                  "instead of 127.0.0.1:7586 and [::1]:7586; tls://A:P, and whatever other machines "
                  "can reach: with TLS and tokens; port 0 takes a free one and prints it")
@@ -63,10 +64,10 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
     std::cerr << app.usage_error("--step-ms: only with --speed") << "\n";
     return EX_USAGE;
   }
-  if (options.step_ms && *options.step_ms * *options.speed > control::kMaxTicksPerStep) {
+  if (options.step_ms && options.pace()->ticks() > control::Pace::kMaxTicks) {
     std::cerr << app.usage_error(fmt::format("--step-ms: {} with --speed {}, at most {}",
                                              *options.step_ms, *options.speed,
-                                             control::kMaxTicksPerStep / *options.speed))
+                                             control::Pace::kMaxTicks / *options.speed))
               << "\n";
     return EX_USAGE;
   }

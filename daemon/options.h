@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "daemon/config/load_config.h"
-#include "daemon/control/loop/lockstep_loop.h"
+#include "daemon/control/loop/pace.h"
 
 namespace hedgehog::daemon {
 

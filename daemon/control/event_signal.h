@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The signal to io to look at the ball, because events are unread: a file descriptor that io's poll
-// waits for (eventfd(2)).
+// The signal to io to look at the ball, because events are unread or a client waits for a tick: a
+// file descriptor that io's poll waits for (eventfd(2)).
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ class EventSignal {
   ~EventSignal();
 
   /// Any thread. Neither allocates nor waits. One system call, none while the last signal has
-  /// not been taken: as long as io hangs, control does not notice.
+  /// not been taken: while io hangs, `raise` makes no further call.
   void raise() noexcept;
   /// io thread.
   void take() noexcept;

@@ -100,8 +100,8 @@ struct Mailbox {
   boost::lockfree::spsc_queue<Event, boost::lockfree::capacity<kEvents>> events;
   boost::lockfree::spsc_queue<EffectTimes, boost::lockfree::capacity<kEffectTimes>> effect_times;
   base::TripleBuffer<StatusSnapshot> status;
-  /// Raised by control when `events` got some, after `status` was written; by io when a request
-  /// waits for a tick, so that it does not wait for the end of a pause.
+  /// Raised by control when `events` got some, after `status` was written; by io when a client
+  /// begins to wait for a tick, so that it does not wait for the end of a pause.
   EventSignal wake_io;
 };
 

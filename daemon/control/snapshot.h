@@ -48,6 +48,9 @@ struct Totals {
   model::Vec3 on_s;
   /// Integral of the measured |I|^2, all windings together.
   double heat_a2s = 0.0;
+  /// Greatest measured |I|^2 of the last 16 to 32 ticks, so that io, which looks less often than
+  /// each tick, misses none, A^2.
+  double peak_a2 = 0.0;
   /// Time with a derated effect, s.
   double derated_s = 0.0;
   /// From reading a request to passing its set-point to the link.

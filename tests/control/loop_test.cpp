@@ -96,7 +96,7 @@ std::uint64_t wake_ups(const LoopStatistics& loop) {
 }
 
 TEST(LockstepLoop, ALongerStepHasFewerWakeUpsAndTheSamePace) {
-  constexpr Pace kPace{.speed = 2, .step_ms = 25};
+  constexpr Pace kPace{.speed = 5, .step_ms = 10};
   constexpr std::uint64_t kTicks = 50;
   Io io;
   const std::int64_t begun_ns = device::monotonic_ns();

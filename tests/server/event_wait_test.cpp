@@ -22,18 +22,18 @@ bool raised(const control::EventSignal& signal) {
   return ::poll(&poll, 1, 0) == 1;
 }
 
-/// Duration of 50 waits for as long as possible, each with or without an event.
-steady_clock::duration waits(bool events) {
+/// Duration of 50 waits, each with or without an event.
+steady_clock::duration waits(model::Tick ticks, bool events, const control::Pace& pace = {}) {
   asio::io_context io{1};
   control::EventSignal signal;
-  EventWait wait(io, signal, 1);
+  EventWait wait(io, signal, pace);
   const auto begun = steady_clock::now();
   asio::co_spawn(
       io,
       [&]() -> asio::awaitable<void> {
         for (int i = 0; i < 50; ++i) {
           if (events) signal.raise();
-          co_await wait.wait(TelemetryPublisher::kNever);
+          co_await wait.wait(ticks);
         }
         io.stop();
       },
@@ -43,9 +43,18 @@ steady_clock::duration waits(bool events) {
 }
 
 TEST(EventWait, AnEventEndsTheWait) {
-  const auto without = waits(false);
+  const auto without = waits(TelemetryPublisher::kNever, false);
   EXPECT_GE(without, 50 * EventWait::kLongest);
-  EXPECT_LT(waits(true), without);
+  EXPECT_LT(waits(TelemetryPublisher::kNever, true), without / 2);
+}
+
+TEST(EventWait, EndsWithTheTickThatIsDue) {
+  const auto longest = waits(TelemetryPublisher::kNever, false);
+  const auto four_ms = waits(20, false, {.speed = 5});
+  EXPECT_GE(four_ms, 50 * std::chrono::milliseconds(4));
+  EXPECT_LT(four_ms, longest);
+  // The snapshot may be nearly a step old.
+  EXPECT_LT(waits(20, false, {.speed = 1, .step_ms = 18}), longest);
 }
 
 TEST(EventWait, ControlRaisesTheSignalForEveryEvent) {
@@ -71,7 +80,9 @@ TEST(EventWait, PumpsAreDueForTelemetryAndForClientsThatWaitForATick) {
   rig.call(client, "events.subscribe");
   rig.run(1);
   EXPECT_EQ(rig.server->pump_due_in(), TelemetryPublisher::kNever);
+  rig.mailbox->wake_io.take();
   rig.call(client, "telemetry.subscribe", {{"rate_hz", 20}});
+  EXPECT_TRUE(raised(rig.mailbox->wake_io)) << "the first telemetry is that of the next tick";
   FakeClient& faster = rig.connect();
   rig.call(faster, "telemetry.subscribe", {{"rate_hz", 100}});
   rig.run(1);

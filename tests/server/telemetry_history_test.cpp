@@ -44,6 +44,21 @@ TEST(TelemetryHistory, HasWhatWasPlayed) {
   EXPECT_EQ(rig.call(page, "telemetry.history", {{"seconds", 601}})["data"]["field"], "seconds");
 }
 
+TEST(TelemetryHistory, HasThePeakOfAPulseBetweenTwoPumps) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.run(2'000);
+  rig.call(game, "effect.pulse", {{"direction", "left"}, {"current_a", 5}, {"duration_ms", 6}});
+  rig.run_without_pump(15);
+  EXPECT_LT(rig.plant_current_a(), 0.5) << "it has ended";
+  rig.run(2'000);
+  double peak_a = 0.0;
+  const Json history = rig.call(game, "telemetry.history", {{"seconds", 4}});
+  for (const Json& sample : history["samples"])
+    peak_a = std::max(peak_a, sample["peak_a"].get<double>());
+  EXPECT_GT(peak_a, 3.0);
+}
+
 TEST(TelemetryHistory, ALimitIsNeverAboveTheConfiguredOne) {
   for (const double configured_a : {7.777, 7.77, 7.78, 14.996, 15.0, 0.29, 0.07}) {
     TelemetrySamples samples;

@@ -63,7 +63,9 @@ void ControlTick::add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept {
     totals.on_s =
         totals.on_s + seconds * model::Vec3{std::abs(duty.x), std::abs(duty.y), std::abs(duty.z)};
     const model::Vec3 flowing = flowing_a(snapshot_.board);
-    totals.heat_a2s += seconds * model::dot(flowing, flowing);
+    const double flowing_a2 = model::dot(flowing, flowing);
+    totals.heat_a2s += seconds * flowing_a2;
+    add_peak(flowing_a2);
   }
   totals.derated_s += snapshot_.derating ? seconds : 0.0;
   if (inputs_.command_count == 0) return;
@@ -73,6 +75,15 @@ void ControlTick::add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept {
     if (asked_ns != 0) totals.request_to_coil.add(sent_ns - asked_ns);
   }
   latency_.applied(inputs_, mailbox_.request_times, sent_, sent_ns);
+}
+
+void ControlTick::add_peak(double current_a2) noexcept {
+  if (++peak_ticks_ > kPeakTicks) {
+    peaks_a2_ = {peaks_a2_[1], 0.0};
+    peak_ticks_ = 1;
+  }
+  peaks_a2_[1] = std::max(peaks_a2_[1], current_a2);
+  snapshot_.totals.peak_a2 = std::max(peaks_a2_[0], peaks_a2_[1]);
 }
 
 void ControlTick::send(const device::BoardCommand& command) noexcept {

@@ -40,6 +40,7 @@ class ControlTick {
   void gather(model::Tick tick, std::uint32_t skipped) noexcept;
   /// `sent_ns`: when the command was handed over, if requests have arrived.
   void add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept;
+  void add_peak(double current_a2) noexcept;
   void send(const device::BoardCommand& command) noexcept;
   /// True: there are events for io to read.
   bool publish() noexcept;
@@ -62,6 +63,10 @@ class ControlTick {
   StatusSnapshot snapshot_;
   std::array<Event, kBacklog> backlog_{};
   std::size_t backlog_size_ = 0;
+  /// Peaks of the last two windows of kPeakTicks; the second one goes on.
+  std::array<double, 2> peaks_a2_{};
+  int peak_ticks_ = 0;
+  static constexpr int kPeakTicks = 16;
   std::uint64_t sent_ = 0;
   std::uint64_t telemetry_count_ = 0;
   std::uint64_t safe_since_ = 0;

@@ -12,8 +12,8 @@ namespace hedgehog::control {
 namespace {
 
 Pace in_range(const Pace& pace) noexcept {
-  const int speed = std::clamp(pace.speed, 1, kMaxTicksPerStep);
-  return {speed, std::clamp(pace.step_ms, 1, kMaxTicksPerStep / speed)};
+  const int speed = std::clamp(pace.speed, 1, Pace::kMaxSpeed);
+  return {speed, std::clamp(pace.step_ms, 1, std::min(Pace::kMaxStepMs, Pace::kMaxTicks / speed))};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ void LockstepLoop::run() noexcept {
     const std::int64_t woke_ns = monotonic_ns();
     meter.woke(woke_ns, woke_ns - due_ns);
     due_ns = std::max(due_ns, woke_ns - step_ns);
-    for (int i = 0; i < pace_.ticks_per_step(); ++i) {
+    for (int i = 0; i < pace_.ticks(); ++i) {
       meter.ticked(0);
       const std::int64_t begun_ns = monotonic_ns();
       tick().run(++now, 0, meter.statistics());

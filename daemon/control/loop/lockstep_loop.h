@@ -6,21 +6,11 @@
 #include <memory>
 
 #include "daemon/control/loop/loop.h"
+#include "daemon/control/loop/pace.h"
 #include "daemon/device/simulator/lock_step.h"
 #include "daemon/device/simulator/simulated_board.h"
 
 namespace hedgehog::control {
-
-/// How device time advances: at each wake-up by `speed` ticks for each of `step_ms` milliseconds.
-/// Fewer wake-ups take less processor time, and effects begin up to `step_ms` later.
-struct Pace {
-  int speed = 1;    ///< ticks per real millisecond, 1..100
-  int step_ms = 1;  ///< real time between two wake-ups, ms, 1..100
-
-  /// At most kMaxTicksPerStep: events of that many ticks have room until io reads them.
-  int ticks_per_step() const noexcept { return speed * step_ms; }
-};
-inline constexpr int kMaxTicksPerStep = 100;
 
 /// No tick is ever skipped: on a slow machine the device time slows down. The thread is not a
 /// real-time thread. Simulator settings are read from the port as by the link thread.

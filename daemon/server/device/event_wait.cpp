@@ -24,11 +24,8 @@ int duplicate(int descriptor) {
 
 }  // namespace
 
-EventWait::EventWait(asio::io_context& io, control::EventSignal& signal, int ticks_per_ms)
-    : signal_(signal),
-      ticks_per_ms_(ticks_per_ms),
-      descriptor_(io, duplicate(signal.descriptor())),
-      timer_(io) {
+EventWait::EventWait(asio::io_context& io, control::EventSignal& signal, const control::Pace& pace)
+    : signal_(signal), pace_(pace), descriptor_(io, duplicate(signal.descriptor())), timer_(io) {
   watch();
 }
 
@@ -44,8 +41,9 @@ void EventWait::watch() {
 }
 
 asio::awaitable<void> EventWait::wait(model::Tick ticks) {
-  timer_.expires_after(
-      std::clamp(std::chrono::milliseconds(ticks / ticks_per_ms_), kShortest, kLongest));
+  // The next step may be due, and the snapshot nearly a step old.
+  const std::chrono::milliseconds longest(ticks / pace_.speed - (pace_.step_ms - 1));
+  timer_.expires_after(std::clamp(longest, kShortest, kLongest));
   error_code ignored;
   co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
 }

@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "daemon/control/event_signal.h"
+#include "daemon/control/loop/pace.h"
 #include "model/tick.h"
 
 namespace hedgehog::server {
@@ -19,18 +20,18 @@ class EventWait {
   static constexpr std::chrono::milliseconds kShortest{1};
   static constexpr std::chrono::milliseconds kLongest{10};
 
-  /// `ticks_per_ms`: of device time, at least 1. Throws std::system_error.
-  EventWait(boost::asio::io_context& io, control::EventSignal& signal, int ticks_per_ms);
+  /// `pace`: of device time. Throws std::system_error.
+  EventWait(boost::asio::io_context& io, control::EventSignal& signal, const control::Pace& pace);
 
-  /// Returns after `ticks` of device time, but not before kShortest nor after kLongest; when the
-  /// ball has unread events, at once.
+  /// Returns `ticks` of device time after the latest snapshot, but not before kShortest nor after
+  /// kLongest; when the signal is raised, at once.
   boost::asio::awaitable<void> wait(model::Tick ticks);
 
  private:
   void watch();
 
   control::EventSignal& signal_;
-  int ticks_per_ms_;
+  control::Pace pace_;
   boost::asio::posix::stream_descriptor descriptor_;
   boost::asio::steady_timer timer_;
 };

@@ -55,7 +55,7 @@ struct TelemetrySamples::FileHead {
 };
 
 void TelemetrySamples::watch(const control::StatusSnapshot& now) noexcept {
-  if (now.board_present) peak_a_ = std::max(peak_a_, model::norm(device::flowing_a(now.board)));
+  if (now.board_present) peak_a_ = std::max(peak_a_, std::sqrt(now.totals.peak_a2));
 }
 
 void TelemetrySamples::add(const control::StatusSnapshot& now, const protocol::Status& status) {

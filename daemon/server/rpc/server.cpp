@@ -111,9 +111,12 @@ void Server::line(Session& session, std::string_view text) {
   // Responses are based on the present snapshot, not on that of the last pump.
   device_view_.refresh();
   device_view_.outbox().set_received(session.received_ns);
+  const bool was_due = pump_due_in() == 1;
   dispatcher_.line(session, text);
   device_view_.outbox().set_received(0);
-  if (is_waiting()) device_view_.mailbox().wake_io.raise();
+  if (session.telemetry && session.telemetry->next <= device_view_.now().tick)
+    telemetry_.expect_due();
+  if (!was_due && pump_due_in() == 1) device_view_.mailbox().wake_io.raise();
 }
 
 void Server::pump() {
@@ -160,11 +163,7 @@ void Server::flush_sinks() {
 }
 
 model::Tick Server::pump_due_in() const noexcept {
-  return is_waiting() ? 1 : telemetry_.due_in();
-}
-
-bool Server::is_waiting() const noexcept {
-  return dispatcher_.waiting() || device_view_.outbox().waiting();
+  return dispatcher_.waiting() || device_view_.outbox().waiting() ? 1 : telemetry_.due_in();
 }
 
 void Server::take_effect_times() {

@@ -107,8 +107,6 @@ class Server {
   DeviceView& device_view() noexcept { return device_view_; }
 
  private:
-  /// A request waits for a tick.
-  bool is_waiting() const noexcept;
   void revoke(Session& session);
   void release();
   void flush_sinks();

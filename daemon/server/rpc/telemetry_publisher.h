@@ -32,6 +32,8 @@ class TelemetryPublisher {
   void pump();
   /// Some sessions have not been served by the last `pump`.
   bool has_unsent() const noexcept { return !due_.empty(); }
+  /// A session has subscribed: it is due at the next tick.
+  void expect_due() noexcept { next_ = tick_; }
   /// Ticks from the last `pump` until the next session is due, at least 1; kNever without any.
   model::Tick due_in() const noexcept {
     return next_ == kNever ? kNever : std::max<model::Tick>(next_ - tick_, 1);
