@@ -18,5 +18,7 @@ for package in "$1"/*.deb; do
   dpkg-deb --raw-extract "$package" "$work/one"
   dpkg-deb --raw-extract "$other" "$work/other"
   diff --recursive --brief --no-dereference "$work/one" "$work/other" || true
+  # Modes and times.
+  diff <(dpkg-deb --contents "$package") <(dpkg-deb --contents "$other") || true
 done
 exit "$code"
