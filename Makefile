@@ -59,7 +59,7 @@ help:
 	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
 	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
 	@echo 'make bench      the daemon beside reference programs, as one table (also build/bench.json), after benchmarks of its functions'
-	@echo 'make tls-latency  round trips and new connections over TLS beside TCP'
+	@echo 'make tls-latency  round trips and new connections over TLS, also of WebSocket, beside TCP'
 	@echo 'make bench-compare REV=main  this tree beside another revision, in the same rounds'
 	@echo 'make instructions  instructions of three requests and a tick, within 2 % of what is written; make instructions-write writes them'
 	@echo 'make stress     all tests ROUNDS=5 times on a busy machine (half an hour a round and more)'

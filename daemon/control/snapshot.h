@@ -48,8 +48,8 @@ struct Totals {
   model::Vec3 on_s;
   /// Integral of the measured |I|^2, all windings together.
   double heat_a2s = 0.0;
-  /// Greatest measured |I|^2 of the last 16 to 32 ticks, so that io, which looks less often than
-  /// each tick, misses none, A^2.
+  /// Greatest measured |I|^2 of the last 17 to 32 ticks, A^2: io, which looks every 10 ms, misses
+  /// none in real time.
   double peak_a2 = 0.0;
   /// Time with a derated effect, s.
   double derated_s = 0.0;

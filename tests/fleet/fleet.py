@@ -111,7 +111,7 @@ def pace(messages):
 def dropped(socket):
     """What the broker did not pass on to its subscribers. It publishes this number once there is one, and retains it."""
     out = subprocess.run(["mosquitto_sub", "--unix", socket, "--retained-only", "-W", "30", "-t", "$SYS/broker/publish/messages/+", "-F", "%t %p"],
-                         check=True, capture_output=True, text=True).stdout
+                         check=False, capture_output=True, text=True).stdout
     counts = {topic.rsplit("/", 1)[1]: int(count) for topic, count in map(str.split, out.splitlines())}
     if not counts.get("sent"):
         sys.exit("tests/fleet: the broker does not say how many messages it sent")
