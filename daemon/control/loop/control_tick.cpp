@@ -66,6 +66,8 @@ void ControlTick::add_up(std::uint32_t skipped, std::int64_t sent_ns) noexcept {
     const double flowing_a2 = model::dot(flowing, flowing);
     totals.heat_a2s += seconds * flowing_a2;
     add_peak(flowing_a2);
+  } else {
+    add_peak(0.0);
   }
   totals.derated_s += snapshot_.derating ? seconds : 0.0;
   if (inputs_.command_count == 0) return;
