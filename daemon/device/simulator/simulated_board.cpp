@@ -36,6 +36,13 @@ board::BoardLimits limits_for(const model::PlantParameters& plant) noexcept {
   return limits;
 }
 
+/// Its kind, before its check sum is known to be right.
+bool is_for_simulator(std::span<const std::uint8_t> packet) noexcept {
+  if (packet.size() != board::kFrameSize) return false;
+  const auto type = static_cast<board::FrameType>(packet[2]);
+  return type == board::FrameType::kSimulator || type == board::FrameType::kSimulatorError;
+}
+
 }  // namespace
 
 SimulatedBoard::SimulatedBoard(const SimulatedBoardOptions& options) noexcept
@@ -53,7 +60,8 @@ SimulatedBoard::SimulatedBoard(const SimulatedBoardOptions& options) noexcept
 
 void SimulatedBoard::receive(std::span<const std::uint8_t> packet) noexcept {
   board::FrameHeader header;
-  if (board::read_header(packet.data(), packet.size(), header) == board::FrameError::kNone) {
+  if (is_for_simulator(packet) &&
+      board::read_header(packet.data(), packet.size(), header) == board::FrameError::kNone) {
     const auto frame = packet.first<board::kFrameSize>();
     if (header.type == board::FrameType::kSimulator) {
       SimulatorSettings settings = decode_simulator(frame);
