@@ -16,6 +16,7 @@ if(HEDGEHOG_PROGRAMS)
   pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
   # The core library only: the package's own CMake file also requires those of its web server and of curl.
   pkg_check_modules(PROMETHEUS REQUIRED IMPORTED_TARGET prometheus-cpp-core)
+  pkg_check_modules(URING REQUIRED IMPORTED_TARGET liburing>=2.3)
   pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.24)
   pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
   # The physics of hedgehog-racer.

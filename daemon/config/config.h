@@ -81,6 +81,8 @@ struct ConnectionSettings {
   std::size_t queue_bytes = 1u << 20;
   /// A client whose requests are paused is disconnected if it reads nothing for so long, s.
   int write_timeout_s = 10;
+  /// Plain sockets use io_uring where the kernel has it and allows it.
+  bool io_uring = true;
   friend bool operator==(const ConnectionSettings&, const ConnectionSettings&) = default;
 };
 

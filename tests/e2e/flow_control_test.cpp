@@ -24,23 +24,42 @@ std::string many_requests() {
   return all;
 }
 
-class HeldBack : public testing::Test {
+/// With io_uring, skipped where the kernel refuses it, and without.
+class Flow : public testing::TestWithParam<bool> {
  protected:
-  /// No client is disconnected for reading slowly.
-  struct LongTimeoutHome : Home {
-    LongTimeoutHome() { configure(R"({"connections": {"write_timeout_s": 600}})"); }
+  static void SetUpTestSuite() {
+    const Home home;
+    DaemonProcess daemon(home);
+    has_ring = daemon.log().find("io_uring is not used") == std::string::npos;
+  }
+  void SetUp() override {
+    if (GetParam() && !has_ring) GTEST_SKIP() << "the kernel refuses io_uring";
+  }
+  static inline bool has_ring = false;
+
+  struct TimeoutHome : Home {
+    explicit TimeoutHome(int write_timeout_s) {
+      configure(
+          Json{{"connections", {{"write_timeout_s", write_timeout_s}, {"io_uring", GetParam()}}}}
+              .dump());
+    }
   };
+};
+
+class HeldBack : public Flow {
+ protected:
   HeldBack() { watcher_.call("events.subscribe", {{"scope", "all"}}); }
   bool reaches(const std::string& state) {
     return wait_until([&] { return watcher_.call("device.status")["state"] == state; });
   }
 
-  LongTimeoutHome home_;
+  /// No client is disconnected for reading slowly.
+  const TimeoutHome home_{600};
   DaemonProcess daemon_{home_};
   RawClient watcher_{daemon_.port()};
 };
 
-TEST_F(HeldBack, AnEmergencyStopIsExecutedAtOnceAndEarlierRequestsDoNotArm) {
+TEST_P(HeldBack, AnEmergencyStopIsExecutedAtOnceAndEarlierRequestsDoNotArm) {
   RawClient client(daemon_.port());
   client.send(many_requests() + line("arm", "device.arm") +
               line("push", "effect.hold", {{"direction", "left"}}) +
@@ -63,7 +82,7 @@ TEST_F(HeldBack, AnEmergencyStopIsExecutedAtOnceAndEarlierRequestsDoNotArm) {
   EXPECT_EQ(client.call("device.arm")["state"], "armed") << "what comes after it is carried out";
 }
 
-TEST_F(HeldBack, RequestsAfterTheStopAreExecutedWhileOlderOnesAreHeld) {
+TEST_P(HeldBack, RequestsAfterTheStopAreExecutedWhileOlderOnesAreHeld) {
   RawClient client(daemon_.port());
   client.send(many_requests() + line("stop", "device.emergency_stop"));
   ASSERT_TRUE(reaches("disarmed"));
@@ -74,20 +93,20 @@ TEST_F(HeldBack, RequestsAfterTheStopAreExecutedWhileOlderOnesAreHeld) {
   EXPECT_EQ(response["result"]["state"], "armed") << response;
 }
 
-TEST_F(HeldBack, OnTheUnixSocketToo) {
+TEST_P(HeldBack, OnTheUnixSocketToo) {
   RawClient client(daemon_.socket());
   client.send(many_requests() + line("stop", "device.emergency_stop"));
   EXPECT_TRUE(reaches("disarmed"));
 }
 
-TEST_F(HeldBack, OnWebSocketToo) {
+TEST_P(HeldBack, OnWebSocketToo) {
   WebSocketClient client(daemon_.http_port());
   for (int i = 0; i < kUnread; ++i) client.text(line("many", "device.describe"));
   client.text(line("stop", "device.emergency_stop"));
   EXPECT_TRUE(reaches("disarmed"));
 }
 
-TEST_F(HeldBack, AHalfCloseEndsTheEffectsAtOnceAndTheResponsesAreSent) {
+TEST_P(HeldBack, AHalfCloseEndsTheEffectsAtOnceAndTheResponsesAreSent) {
   RawClient client(daemon_.port());
   client.send(line("hold", "effect.hold", {{"direction", "left"}, {"lease_ms", 10000}}) +
               many_requests());
@@ -99,7 +118,7 @@ TEST_F(HeldBack, AHalfCloseEndsTheEffectsAtOnceAndTheResponsesAreSent) {
   EXPECT_TRUE(client.closed_by_daemon());
 }
 
-TEST_F(HeldBack, AFloodOfStopsStopsTheBallAndEndsWithItsConnection) {
+TEST_P(HeldBack, AFloodOfStopsStopsTheBallAndEndsWithItsConnection) {
   RawClient client(daemon_.port());
   client.send(many_requests());
   std::string stops;
@@ -113,10 +132,11 @@ TEST_F(HeldBack, AFloodOfStopsStopsTheBallAndEndsWithItsConnection) {
       wait_until([&] { return watcher_.call("connection.list")["connections"].size() == 1; }));
 }
 
-TEST(ReadSlowly, IsNotDisconnectedWhileItReadsAnything) {
+class ReadSlowly : public Flow {};
+
+TEST_P(ReadSlowly, IsNotDisconnectedWhileItReadsAnything) {
   constexpr int kTimeoutS = 2;
-  const Home home;
-  home.configure(R"({"connections": {"write_timeout_s": )" + std::to_string(kTimeoutS) + "}}");
+  const TimeoutHome home(kTimeoutS);
   DaemonProcess daemon(home);
   RawClient clock(daemon.port());
   clock.call("telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"state"}}});
@@ -133,10 +153,9 @@ TEST(ReadSlowly, IsNotDisconnectedWhileItReadsAnything) {
   EXPECT_EQ(daemon.log().find("does not read"), std::string::npos) << daemon.log();
 }
 
-TEST(ReadSlowly, IsDisconnectedIfItReadsNothingAlsoAfterHavingReadAll) {
-  const Home home;
+TEST_P(ReadSlowly, IsDisconnectedIfItReadsNothingAlsoAfterHavingReadAll) {
   // While it reads, a busy machine may stop it for seconds.
-  home.configure(R"({"connections": {"write_timeout_s": 10}})");
+  const TimeoutHome home(10);
   DaemonProcess daemon(home);
   RawClient client(daemon.port());
   client.send(many_requests());
@@ -146,12 +165,14 @@ TEST(ReadSlowly, IsDisconnectedIfItReadsNothingAlsoAfterHavingReadAll) {
   EXPECT_TRUE(daemon.logs("does not read"));
 }
 
-TEST(Reads, RequestsThatFillItsBufferExactlyOrNearly) {
-  constexpr std::size_t kBuffer = 16 * 1024;
-  const Home home;
+class Reads : public Flow {};
+
+TEST_P(Reads, RequestsThatFillItsBufferExactlyOrNearly) {
+  const std::size_t buffer = GetParam() ? 2 * 1024 : 16 * 1024;
+  const TimeoutHome home(10);
   DaemonProcess daemon(home);
   RawClient client(daemon.port());
-  for (const std::size_t size : {kBuffer - 1, kBuffer, kBuffer + 1, 2 * kBuffer}) {
+  for (const std::size_t size : {buffer - 1, buffer, buffer + 1, 2 * buffer}) {
     std::string lines = line("first", "ping") + line("last", "ping");
     lines.insert(lines.size() - 1, std::string(size - lines.size(), ' '));
     ASSERT_EQ(lines.size(), size);
@@ -160,6 +181,15 @@ TEST(Reads, RequestsThatFillItsBufferExactlyOrNearly) {
     EXPECT_EQ(client.response()["id"], "last") << size;
   }
 }
+
+/// The end of a test's name: "Ring" or "Plain".
+std::string sockets(const testing::TestParamInfo<bool>& info) {
+  return info.param ? "Ring" : "Plain";
+}
+
+INSTANTIATE_TEST_SUITE_P(Sockets, HeldBack, testing::Bool(), sockets);
+INSTANTIATE_TEST_SUITE_P(Sockets, ReadSlowly, testing::Bool(), sockets);
+INSTANTIATE_TEST_SUITE_P(Sockets, Reads, testing::Bool(), sockets);
 
 }  // namespace
 }  // namespace hedgehog::e2e

@@ -85,6 +85,7 @@ TEST(EventWait, PumpsAreDueForTelemetryAndForClientsThatWaitForATick) {
   rig.call(client, "events.subscribe");
   rig.run(1);
   EXPECT_EQ(rig.server->pump_due_in(), TelemetryPublisher::kNever);
+  rig.run_without_pump(6);
   rig.mailbox->wake_io.take();
   rig.call(client, "telemetry.subscribe", {{"rate_hz", 20}});
   EXPECT_TRUE(raised(rig.mailbox->wake_io)) << "the first telemetry is that of the next tick";

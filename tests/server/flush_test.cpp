@@ -53,9 +53,10 @@ TEST(Flush, AClientGetsAChangeOfStateBeforeItIsLogged) {
   rig.call(client, "events.subscribe", {{"types", {"state_changed"}}});
   int flushes_when_logged = 0;
   rig.on_listener_call = [&](const control::Event& event) {
-    if (event.type == control::EventType::kStateChanged) flushes_when_logged = client.flushes;
+    if (event.type == control::EventType::kStateChanged)
+      flushes_when_logged = client.urgent_flushes;
   };
-  client.flushes = 0;
+  client.urgent_flushes = 0;
   rig.call(client, "device.emergency_stop");
   EXPECT_EQ(flushes_when_logged, 1);
 }
@@ -83,7 +84,9 @@ TEST(Flush, NothingWaitsForAPreview) {
   rig.server->line(designer.session,
                    R"({"jsonrpc":"2.0","method":"effect.preview","params":{"method":"effect.hold",)"
                    R"("params":{"direction":"left","lease_ms":10000}},"id":1})");
+  game.urgent_flushes = 0;
   EXPECT_EQ(flushes_with_the_start_of_a_pulse(rig, game), 2) << "the event, then the telemetry";
+  EXPECT_GE(game.urgent_flushes, 1);
   EXPECT_TRUE(designer.lines.empty()) << "the preview goes on";
   for (int i = 0; i < 1000 && designer.lines.empty(); ++i) rig.run(1);
   ASSERT_TRUE(Json::parse(designer.lines.front().text).contains("result"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/net/line_reader.h"
+#include "daemon/server/net/line/line_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -71,10 +71,11 @@ class FakeClient final : public Sink {
   void send(std::string line, LineKind kind) override {
     unsent_bytes += line.size() + 1;
     lines.push_back({std::move(line), kind});
-    if (!server.flush_after_pump(session, unsent_bytes)) flush();
+    if (!server.flush_after_pump(session, unsent_bytes)) flush(Flush::kSoon);
   }
-  void flush() override {
+  void flush(Flush when) override {
     ++flushes;
+    urgent_flushes += when == Flush::kAtOnce;
     unsent_bytes = 0;
   }
   void finish() override { finished = true; }
@@ -87,6 +88,8 @@ class FakeClient final : public Sink {
   std::deque<Line> lines;
   /// Number of writes to its socket, if it had one.
   int flushes = 0;
+  /// Those among them that precede what takes long.
+  int urgent_flushes = 0;
   std::size_t unsent_bytes = 0;
   Session session;
   bool finished = false;

@@ -12,7 +12,6 @@
 #include <exception>
 #include <utility>
 
-#include "daemon/device/tick_clock.h"
 #include "daemon/server/net/wait.h"
 #include "daemon/server/session/origin.h"
 
@@ -90,6 +89,7 @@ void Connection::finish() {
   finishing_ = true;
   pending_timer_.cancel();
   wake_.cancel();
+  if (write_ended_) return;
   close_timer_.expires_after(kCloseTimeout);
   close_timer_.async_wait([self = shared_from_this()](error_code ec) {
     if (!ec) self->abort();
@@ -119,7 +119,7 @@ void Connection::send_telemetry(const SharedLine& line) {
 void Connection::on_queued(bool fits, LineKind kind) {
   counters().telemetry_dropped += queue_.take_dropped();
   if (fits) {
-    if (!defer_flush()) flush();
+    if (!defer_flush()) flush(Flush::kSoon);
     if (kind != LineKind::kResponse) return;
     progress_.cancel();
     // By bytes only: an answer reduces the number of pending responses.
@@ -132,10 +132,20 @@ void Connection::on_queued(bool fits, LineKind kind) {
   }
 }
 
-void Connection::flush() {
+void Connection::flush(Flush when) {
   if (writing_ || write_ended_ || queue_.bytes() == 0) return;
-  send_now(queue_);
-  if (queue_.bytes() > 0) wake_.cancel();
+  if (!send_now(queue_, when)) wake_.cancel();
+}
+
+void Connection::sent_now(std::size_t bytes) {
+  queue_.sent_part(bytes);
+  if (bytes > 0) on_sent_part();
+  if (!queue_.unsent().empty()) {
+    wake_.cancel();
+    return;
+  }
+  queue_.sent();
+  flush(Flush::kSoon);
 }
 
 void Connection::report_not_reading() {
@@ -170,19 +180,20 @@ void Connection::too_long() {
 }
 
 void Connection::on_received() noexcept {
-  begin_turn();
-  received_ns_ = device::monotonic_ns();
+  const auto now = std::chrono::steady_clock::now();
+  begin_turn(now);
+  received_ns_ = std::chrono::nanoseconds(now.time_since_epoch()).count();
 }
 
-void Connection::begin_turn() noexcept {
-  turn_ends_ = std::chrono::steady_clock::now() + kTurn;
+void Connection::begin_turn(std::chrono::steady_clock::time_point now) noexcept {
+  turn_ends_ = now + kTurn;
   in_turn_ = true;
 }
 
 void Connection::end_turn() {
   in_turn_ = false;
   if (ticket_ && !session_.locked) ticket_.release();
-  flush();
+  flush(Flush::kSoon);
 }
 
 asio::awaitable<void> Connection::yield_turn() {
@@ -197,7 +208,7 @@ bool Connection::must_pause() const noexcept {
 }
 
 asio::awaitable<bool> Connection::pause() {
-  if (held_back_by_bytes()) flush();
+  if (held_back_by_bytes()) flush(Flush::kSoon);
   co_await yield_turn();
   if (held_back()) serve();
   while (full() && !aborted_) {

@@ -27,7 +27,7 @@ namespace hedgehog::server {
 
 class Connection : public Sink, public std::enable_shared_from_this<Connection> {
  public:
-  /// Bytes read from a socket at a time.
+  /// Maximum of bytes read from a socket at a time.
   static constexpr std::size_t kReadBytes = 16 * 1024;
   /// Requests that wait for a tick or for the disk; with more, further ones are held. With twice as
   /// many, possible only for emergency stops, reading pauses.
@@ -40,8 +40,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
 
   void send(std::string line, LineKind kind) override;
   void send_telemetry(const SharedLine& line) override;
-  /// Writes as much of the queue as possible at once; `write` does the rest.
-  void flush() override;
+  /// Writes as much of the queue as possible; `write` does the rest.
+  void flush(Flush when) override;
 
   const Session& session() const noexcept { return session_; }
   /// `ticket` is released after the log-in.
@@ -56,9 +56,12 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   virtual boost::asio::awaitable<void> read() = 0;
   /// Sends the next lines of the queue; reports each part that was written to the socket.
   virtual boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) = 0;
-  /// Writes as much of the queue as possible without waiting; `send_next` handles errors and the
-  /// rest. Does nothing for streams that cannot do that.
-  virtual void send_now(WriteQueue&) {}
+  /// Writes as much of the queue as possible without waiting, or starts to (kSoon): `sent_now` then
+  /// reports the result. False: `send_next` has to handle an error or the rest; for streams that
+  /// cannot do that, all of it.
+  virtual bool send_now(WriteQueue&, Flush) { return false; }
+  /// The first `bytes` of what `send_now` took were sent; if not all, `send_next` continues.
+  void sent_now(std::size_t bytes);
   /// Called after everything has been sent.
   virtual boost::asio::awaitable<void> finish_stream() = 0;
   /// Closes at once; pending operations on the socket end with an error. A second call does
@@ -70,6 +73,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// The client sends no more, though its socket may still be open: its effects end.
   void on_client_close();
   void on_sent_part();
+  /// Also releases the ticket.
+  void close_socket() noexcept;
   /// Data was received: its turn starts. The responses are sent together at the end of the turn.
   void on_received() noexcept;
   void end_turn();
@@ -82,6 +87,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// disconnected.
   boost::asio::awaitable<bool> pause();
   std::int64_t id() const noexcept { return session_.id; }
+  const boost::asio::any_io_executor& executor() const noexcept { return executor_; }
   Counters& counters() noexcept { return server_.counters(); }
 
  private:
@@ -106,7 +112,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void serve_next();
   void execute(std::string_view text, std::int64_t received_ns);
   boost::asio::awaitable<void> wait_for_reader();
-  void begin_turn() noexcept;
+  void begin_turn(
+      std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now()) noexcept;
   boost::asio::awaitable<void> yield_turn();
   /// Called after a line was queued; `fits`: the queue was not full.
   void on_queued(bool fits, LineKind kind);
@@ -129,7 +136,6 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   bool full() const noexcept;
   void report_not_reading();
   void abort() noexcept;
-  void close_socket() noexcept;
 
   boost::asio::any_io_executor executor_;
   Server& server_;

@@ -14,7 +14,10 @@
 #include <utility>
 
 #include "daemon/config/listen_address.h"
-#include "daemon/server/net/peer_of.h"
+#include "daemon/server/net/accepted_socket.h"
+#include "daemon/server/net/line/plain_connection.h"
+#include "daemon/server/net/line/ring_connection.h"
+#include "daemon/server/net/line/tls_connection.h"
 #include "daemon/server/net/tcp_acceptor.h"
 #include "daemon/server/net/unix_path.h"
 #include "daemon/server/session/origin.h"
@@ -26,7 +29,6 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 using Tcp = asio::ip::tcp;
-using Local = asio::local::stream_protocol;
 
 /// Kernel send buffer for a slow reader, limited so that telemetry does not age in it.
 constexpr int kSendBufferBytes = 256 * 1024;
@@ -45,32 +47,6 @@ std::size_t places(const Session& session, std::size_t max) {
   const bool unix = session.transport == "unix";
   const bool page = session.transport == "websocket";
   return max + (unix || page ? kMorePages : 0u) + (unix ? kMoreOnUnix : 0u);
-}
-
-/// Reset before it was accepted: there is no client. One that has only closed may have sent a
-/// request before.
-bool is_reset(const Tcp::socket& socket) {
-  error_code error;
-  socket.remote_endpoint(error);
-  return error.failed();
-}
-bool is_reset(const Local::socket&) { return false; }
-
-Session session_of(Tcp::socket& socket) {
-  error_code ignored;
-  socket.set_option(Tcp::no_delay(true), ignored);
-  Session session;
-  session.transport = "tcp";
-  const Tcp::endpoint peer = socket.remote_endpoint(ignored);
-  session.address = endpoint_text(peer);
-  return session;
-}
-
-Session session_of(Local::socket& socket) {
-  Session session;
-  session.transport = "unix";
-  session.peer = peer_of(socket.native_handle());
-  return session;
 }
 
 }  // namespace
@@ -123,6 +99,7 @@ void Listener::open_unix(const std::string& path, const access::UnixRoles& roles
 
 void Listener::start(Server& server) {
   server_ = &server;
+  open_ring();
   const auto line = [this](auto socket) {
     Session session = session_with(socket);
     start_session(asio::generic::stream_protocol::socket(std::move(socket)), std::move(session));
@@ -204,6 +181,13 @@ bool Listener::has_capacity(const Session& session) {
   return false;
 }
 
+void Listener::open_ring() {
+  if (!settings_.io_uring || std::exchange(has_tried_ring_, true)) return;
+  std::string reason;
+  ring_ = Ring::open(io_, reason);
+  if (!ring_) spdlog::info("io_uring is not used: {}", reason);
+}
+
 void Listener::start_session(asio::generic::stream_protocol::socket socket, Session session) {
   HalfOpen::Ticket ticket;
   if (session.locked && !closing_) {
@@ -217,8 +201,14 @@ void Listener::start_session(asio::generic::stream_protocol::socket socket, Sess
     socket.send(asio::buffer(line), 0, ignored);
     return;
   }
-  const auto connection =
-      std::make_shared<LineConnection>(std::move(socket), *server_, std::move(session), settings_);
+  std::shared_ptr<Connection> connection;
+  if (ring_ && settings_.io_uring) {
+    connection = std::make_shared<RingConnection>(std::move(socket), *ring_, *server_,
+                                                  std::move(session), settings_);
+  } else {
+    connection = std::make_shared<PlainConnection>(std::move(socket), *server_, std::move(session),
+                                                   settings_);
+  }
   connection->set_half_open(std::move(ticket));
   enter(connection);
   connection->start();
@@ -242,15 +232,15 @@ HalfOpen::Ticket Listener::half_open(Tcp::socket& socket) {
 asio::awaitable<void> Listener::start_tls_session(Tcp::socket socket) {
   Session session = session_with(socket);
   session.locked = true;
-  TlsStream stream(std::move(socket), *tls_);
+  TlsConnection::Stream stream(std::move(socket), *tls_);
   HalfOpen::Ticket ticket = half_open(stream.next_layer());  // released before its socket
   error_code ec;
   co_await stream.async_handshake(asio::ssl::stream_base::server,
                                   asio::redirect_error(asio::use_awaitable, ec));
   if (ec) ++server_->counters().rejected["tls"];
   if (ec || closing_) co_return;
-  const auto connection = std::make_shared<TlsLineConnection>(std::move(stream), *server_,
-                                                              std::move(session), settings_);
+  const auto connection =
+      std::make_shared<TlsConnection>(std::move(stream), *server_, std::move(session), settings_);
   connection->set_half_open(std::move(ticket));
   enter(connection);
   connection->start();
@@ -264,6 +254,7 @@ void Listener::start_https(Tcp::socket socket) {
 
 void Listener::set_config(const config::Config& config) {
   settings_ = config.connections;
+  open_ring();
   if (!set_unix_mode(unix_path_, unix_inode_, config.access.unix_roles))
     spdlog::error("{}: its mode cannot be changed", unix_path_);
   try {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
@@ -19,7 +20,7 @@
 #include "daemon/server/net/connection.h"
 #include "daemon/server/net/http/http_connection.h"
 #include "daemon/server/net/inherited_sockets.h"
-#include "daemon/server/net/line_connection.h"
+#include "daemon/server/net/line/ring.h"
 #include "daemon/server/rpc/server.h"
 
 namespace hedgehog::server {
@@ -59,6 +60,9 @@ class Listener {
   boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept on_accept);
   template <class AnySocket>
   Session session_with(AnySocket& socket, const char* transport = nullptr) const;
+  /// Opens the ring of plain connections if it is wanted, once: what the kernel lacks it lacks
+  /// later, too.
+  void open_ring();
   void start_session(boost::asio::generic::stream_protocol::socket socket, Session session);
   void start_http(boost::asio::ip::tcp::socket socket);
   boost::asio::awaitable<void> start_tls_session(boost::asio::ip::tcp::socket socket);
@@ -78,6 +82,8 @@ class Listener {
   std::list<TcpListener> tcp_;
   std::optional<TcpListener> http_;
   std::optional<HttpEndpoint> http_endpoint_;
+  std::unique_ptr<Ring> ring_;
+  bool has_tried_ring_ = false;
   Server* server_ = nullptr;
   int http_clients_ = 0;
   bool closing_ = false;

@@ -114,8 +114,7 @@ void Server::line(Session& session, std::string_view text) {
   const bool was_due = pump_due_in() == 1;
   dispatcher_.line(session, text);
   device_view_.outbox().set_received(0);
-  if (session.telemetry && session.telemetry->next <= device_view_.now().tick)
-    telemetry_.expect_due();
+  if (session.telemetry && !session.telemetry->expected) telemetry_.expect(session);
   if (!was_due && pump_due_in() == 1) device_view_.mailbox().wake_io.raise();
 }
 
@@ -134,14 +133,14 @@ void Server::pump() {
   device_view_.outbox().flush();
   // Nothing waits for the slices of previews, which take up to 2 ms.
   if (context_.has_previews()) {
-    flush_sinks();
+    flush_sinks(Flush::kAtOnce);
     collecting_ = false;
   }
   dispatcher_.poll();
   release();
   telemetry_.pump();
   collecting_ = false;
-  flush_sinks();
+  flush_sinks(Flush::kSoon);
   record_telemetry();
   context_.history.pump(wall_clock_());
 }
@@ -152,12 +151,12 @@ bool Server::flush_after_pump(Session& session, std::size_t unsent_bytes) {
   return true;
 }
 
-void Server::flush_sinks() {
+void Server::flush_sinks(Flush when) {
   for (const ConnectionId id : flush_due_) {
     const auto session = context_.sessions.find(id);
     if (session == context_.sessions.end()) continue;
     session->second->flush_due = false;
-    session->second->sink->flush();
+    session->second->sink->flush(when);
   }
   flush_due_.clear();
 }
@@ -206,7 +205,7 @@ void Server::notify(const control::Event& event, const Effect* effect) {
     }
   }
   // See EventListener.
-  if (!is_of_effect(event)) flush_sinks();
+  if (!is_of_effect(event)) flush_sinks(Flush::kAtOnce);
   if (listener_) listener_(event, effect);
   // After the listener, which persists a latch first.
   if (view) record_event(*view, event, effect);

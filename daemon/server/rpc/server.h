@@ -109,7 +109,7 @@ class Server {
  private:
   void revoke(Session& session);
   void release();
-  void flush_sinks();
+  void flush_sinks(Flush when);
   void take_effect_times();
   void take_events();
   void notify(const control::Event& event, const Effect* effect);

@@ -18,31 +18,35 @@ void TelemetryPublisher::pump() {
     find_due(now);
   }
   for (std::size_t sent = 0; sent < kSlice && !due_.empty();) {
-    const auto session = context_.sessions.find(due_.front());
+    const Due due = due_.front();
     due_.pop_front();
+    const auto session = context_.sessions.find(due.id);
     if (session == context_.sessions.end()) continue;
     std::optional<TelemetrySubscription>& wanted = session->second->telemetry;
-    // It has unsubscribed, or subscribed again.
-    if (!wanted || !wanted->due) continue;
-    wanted->due = false;
+    if (!wanted || wanted->next != due.tick) continue;
     wanted->next += wanted->period;
     if (wanted->next <= now) wanted->next = now + wanted->period;
-    next_ = std::min(next_, wanted->next);
+    expect(*session->second);
     session->second->sink->send_telemetry(line(wanted->fields));
     ++sent;
   }
 }
 
+void TelemetryPublisher::expect(Session& session) {
+  session.telemetry->expected = true;
+  expected_[session.telemetry->next].push_back(session.id);
+}
+
+model::Tick TelemetryPublisher::due_in() const noexcept {
+  if (expected_.empty()) return kNever;
+  return std::max<model::Tick>(expected_.begin()->first - context_.device_view.now().tick, 1);
+}
+
 void TelemetryPublisher::find_due(model::Tick now) {
-  next_ = kNever;
-  for (const auto& [id, session] : context_.sessions) {
-    if (!session->telemetry || session->telemetry->due) continue;
-    if (session->telemetry->next > now) {
-      next_ = std::min(next_, session->telemetry->next);
-      continue;
-    }
-    session->telemetry->due = true;
-    due_.push_back(id);
+  while (!expected_.empty() && expected_.begin()->first <= now) {
+    const auto& [tick, sessions] = *expected_.begin();
+    for (const ConnectionId id : sessions) due_.push_back({id, tick});
+    expected_.erase(expected_.begin());
   }
 }
 

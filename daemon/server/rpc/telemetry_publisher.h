@@ -3,10 +3,10 @@
 // fields, and the bytes are shared by all clients with that list.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,24 +32,27 @@ class TelemetryPublisher {
   void pump();
   /// Some sessions have not been served by the last `pump`.
   bool has_unsent() const noexcept { return !due_.empty(); }
-  /// A session has subscribed: it is due at the next tick.
-  void expect_due() noexcept { next_ = tick_; }
-  /// Ticks from the last `pump` until the next session is due, at least 1; kNever without any.
-  model::Tick due_in() const noexcept {
-    return next_ == kNever ? kNever : std::max<model::Tick>(next_ - tick_, 1);
-  }
+  /// Sends to `session` when it is due. REQUIRES: it has subscribed.
+  void expect(Session& session);
+  /// Ticks from now until the next session is due, at least 1; kNever without any.
+  model::Tick due_in() const noexcept;
 
  private:
+  /// A session at one of its ticks; void unless that is still its `next`.
+  struct Due {
+    ConnectionId id;
+    model::Tick tick;
+  };
   void find_due(model::Tick now);
   const SharedLine& line(protocol::StatusKeys fields);
   const protocol::Status& status(bool with_pins);
 
   HandlerContext& context_;
   /// In the order in which they became due.
-  std::deque<ConnectionId> due_;
+  std::deque<Due> due_;
+  /// By the tick at which they will be.
+  std::map<model::Tick, std::vector<ConnectionId>> expected_{};
   model::Tick tick_ = -1;
-  /// When the first session that is not in `due_` will be.
-  model::Tick next_ = kNever;
   // Of `tick_`.
   std::array<std::optional<protocol::Status>, 2> status_;  // without and with pins
   std::vector<std::pair<protocol::StatusKeys, SharedLine>> lines_;

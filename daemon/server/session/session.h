@@ -21,6 +21,10 @@ namespace hedgehog::server {
 /// Unique while the daemon runs; 0 is none.
 using ConnectionId = std::int64_t;
 
+/// kSoon: together with those of other clients, when the io thread has finished what it does at
+/// present. kAtOnce: before what takes long.
+enum class Flush : std::uint8_t { kSoon, kAtOnce };
+
 /// Destination of a session's lines: a socket, or a list in tests.
 class Sink {
  public:
@@ -34,7 +38,7 @@ class Sink {
   }
   /// Writes the queued lines without waiting for more (see `Server::flush_after_pump`); neither
   /// sends lines nor ends a session within this call.
-  virtual void flush() = 0;
+  virtual void flush(Flush when) = 0;
   /// No more lines follow: the queued ones may be sent, then the session ends.
   virtual void finish() = 0;
 };
@@ -43,7 +47,7 @@ struct TelemetrySubscription {
   protocol::StatusKeys fields;
   model::Tick period = 100;
   model::Tick next = 0;
-  bool due = false;  // it is queued for sending
+  bool expected = false;  // by the publisher, at `next`
 };
 
 struct EventSubscription {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What is known of a client when its socket has been accepted. io thread.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+
+#include "daemon/server/session/session.h"
+
+namespace hedgehog::server {
+
+/// Reset before it was accepted: there is no client. One that has only closed may have sent a
+/// request before.
+bool is_reset(const boost::asio::ip::tcp::socket& socket);
+inline bool is_reset(const boost::asio::local::stream_protocol::socket&) { return false; }
+
+/// Transport, and address or peer.
+Session session_of(boost::asio::ip::tcp::socket& socket);
+Session session_of(boost::asio::local::stream_protocol::socket& socket);
+
+}  // namespace hedgehog::server
