@@ -20,7 +20,10 @@ namespace {
 namespace asio = boost::asio;
 
 /// Operations passed in one system call, at most.
-constexpr unsigned kEntries = 1024;
+constexpr unsigned kEntries = 256;
+/// Sends among them. The kernel does them, 5 us each, without giving up the processor to a control
+/// loop that is due: with 16 its ticks were 50 us later (p99, 1,000 subscribers at 100 Hz).
+constexpr int kSends = 8;
 /// Results that are kept until they are taken; the kernel keeps further ones elsewhere.
 constexpr unsigned kCompletions = 4096;
 /// Buffers of received data, each of which is used until its data is taken; a power of two.
@@ -141,11 +144,12 @@ bool Ring::has_work() const noexcept {
 }
 
 void Ring::submit() {
-  while (!started_.empty()) {
+  for (int sends = 0; sends < kSends && !started_.empty();) {
     io_uring_sqe* const entry = io_uring_get_sqe(&kernel_->ring);
     if (entry == nullptr) break;
     Operation& operation = started_.front();
     const std::string_view bytes = operation.bytes_;
+    if (operation.kind_ != Operation::Kind::kReceive) ++sends;
     switch (operation.kind_) {
       case Operation::Kind::kReceive:
         io_uring_prep_recv(entry, operation.socket_, nullptr, kReceiveBytes, 0);
