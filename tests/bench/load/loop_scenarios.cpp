@@ -175,13 +175,14 @@ void measure_idle(const Setup& setup, Figures& figures) {
       client.call(R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})"
                   "\n");
     }
-    wait(0.1);
+    wait(kStartS);
     figures["idle daemon disarmed_percent"] = share_percent(daemon.process(), setup.seconds);
   };
   const auto daemon_with_client = [&] {
     const Daemon daemon(setup.daemon());
     Client client(daemon.port());
     client.call(kPing);
+    wait(kStartS);
     figures["idle daemon percent"] = share_percent(daemon.process(), setup.seconds);
   };
   in_turn(setup.round, {loop, daemon_alone, daemon_with_client});
