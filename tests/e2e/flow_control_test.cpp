@@ -3,7 +3,10 @@
 // disconnected.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <system_error>
 
 #include "tests/e2e/timeout.h"
 #include "tests/e2e/web_fixture.h"
@@ -180,6 +183,33 @@ TEST_P(Reads, RequestsThatFillItsBufferExactlyOrNearly) {
     EXPECT_EQ(client.response()["id"], "first") << size;
     EXPECT_EQ(client.response()["id"], "last") << size;
   }
+}
+
+/// Number of operations that a process has passed to io_uring; 0 without it. Source: the kernel's
+/// io_uring/fdinfo.c.
+long ring_operations(pid_t pid) {
+  namespace fs = std::filesystem;
+  const fs::path process = "/proc/" + std::to_string(pid);
+  for (const fs::directory_entry& descriptor : fs::directory_iterator(process / "fd")) {
+    std::error_code gone;
+    if (fs::read_symlink(descriptor.path(), gone) != "anon_inode:[io_uring]") continue;
+    std::ifstream info(process / "fdinfo" / descriptor.path().filename());
+    for (std::string name; info >> name;)
+      if (long count = 0; name == "SqTail:" && info >> count) return count;
+  }
+  return 0;
+}
+
+TEST_P(Reads, FromSocketsOfTheConfiguredKind) {
+  const TimeoutHome home(10);
+  DaemonProcess daemon(home);
+  RawClient tcp(daemon.port());
+  tcp.call("ping");
+  const long after_tcp = ring_operations(daemon.pid());
+  EXPECT_EQ(after_tcp > 0, GetParam());
+  RawClient unix_socket(daemon.socket());
+  unix_socket.call("ping");
+  EXPECT_EQ(ring_operations(daemon.pid()) > after_tcp, GetParam());
 }
 
 /// The end of a test's name: "Ring" or "Plain".

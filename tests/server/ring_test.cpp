@@ -113,6 +113,7 @@ TEST_F(RingTest, ReceivesLongDataInParts) {
   ring->receive(sockets.ours(), receive);
   run_until([&] { return receive.received.size() == all.size(); });
   EXPECT_EQ(receive.completions, 4);
+  ring.reset();
 }
 
 TEST_F(RingTest, TheEndOfTheStreamIsZeroBytes) {
@@ -229,7 +230,26 @@ TEST_F(RingTest, WhatTheKernelHasIsNotWithdrawn) {
   while (io.poll() > 0) {
   }
   EXPECT_FALSE(ring->withdraw(receive));
+  EXPECT_FALSE(ring->settle(receive));
   EXPECT_TRUE(receive.is_pending());
+  ring.reset();
+}
+
+TEST_F(RingTest, WhatTheKernelHasSentIsSettledBeforeItsTurn) {
+  const SocketPair sockets;
+  Recorded first;
+  Recorded second;
+  bool settled = false;
+  first.then = [&] { settled = ring->settle(second); };
+  ring->send_now(sockets.ours(), "1", first);
+  ring->send_now(sockets.ours(), "2", second);
+  run_until_complete(first);
+  EXPECT_TRUE(settled);
+  EXPECT_EQ(second.result, 1);
+  while (io.poll() > 0) {
+  }
+  EXPECT_EQ(second.completions, 1);
+  EXPECT_EQ(sockets.read(), "12");
 }
 
 TEST_F(RingTest, ADestroyedRingDropsWhatIsPending) {

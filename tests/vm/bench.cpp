@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <grp.h>
 #include <pwd.h>
-#include <sched.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <sys/wait.h>
@@ -24,6 +23,7 @@
 
 #include "tests/e2e/programs.h"
 #include "tests/folders.h"
+#include "tests/vm/hardware_priority.h"
 
 namespace hedgehog::vm {
 namespace {
@@ -158,33 +158,10 @@ int Child::stop(int signal) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-namespace {
-
-/// Device and host controller are hardware, which does not wait for the machine's processor.
-constexpr int kHardwarePriority = 90;
-
-void run_first(pid_t thread) {
-  sched_param parameters{};
-  parameters.sched_priority = kHardwarePriority;
-  EXPECT_EQ(::sched_setscheduler(thread, SCHED_FIFO, &parameters), 0) << thread;
-}
-
-/// The kernel has a pair of threads for each plugged device.
-void run_host_controller_first() {
-  for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
-    std::string name;
-    std::getline(std::ifstream(entry.path() / "comm") >> std::ws, name);
-    if (name == "vhci_rx" || name == "vhci_tx") run_first(std::stoi(entry.path().filename()));
-  }
-}
-
-}  // namespace
-
 Emulator::Emulator(const Home& home, std::vector<std::string> devices) : home_(home) {
   std::vector<std::string> words{hedgehog_usbip(), "--vhci", "--control", home.path("control")};
   words.insert(words.end(), devices.begin(), devices.end());
   child_ = std::make_unique<Child>(words, home.environment(), home.path("emulator"));
-  run_first(child_->pid());
   const bool listens = eventually([&] {
     const int fd = connect_to(home_.path("control"));
     if (fd >= 0) ::close(fd);
@@ -192,6 +169,7 @@ Emulator::Emulator(const Home& home, std::vector<std::string> devices) : home_(h
   });
   if (!listens || child_->ended())
     throw std::runtime_error("hedgehog-usbip does not start: " + home_.read("emulator"));
+  run_hardware_first(child_->pid());
 }
 
 std::string Emulator::execute(const std::string& command) const {
@@ -208,7 +186,7 @@ std::string Emulator::execute(const std::string& command) const {
     if (response.ends_with('\n')) response.pop_back();
   }
   ::close(fd);
-  if (command.starts_with("plug ")) run_host_controller_first();
+  if (command.starts_with("plug ")) run_hardware_first(child_->pid());
   return response;
 }
 

@@ -182,7 +182,7 @@ bool Listener::has_capacity(const Session& session) {
 }
 
 void Listener::open_ring() {
-  if (!settings_.io_uring || std::exchange(has_tried_ring_, true)) return;
+  if (!settings_.io_uring || ring_) return;
   std::string reason;
   ring_ = Ring::open(io_, reason);
   if (!ring_) spdlog::info("io_uring is not used: {}", reason);

@@ -60,8 +60,7 @@ class Listener {
   boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept on_accept);
   template <class AnySocket>
   Session session_with(AnySocket& socket, const char* transport = nullptr) const;
-  /// Opens the ring of plain connections if it is wanted, once: what the kernel lacks it lacks
-  /// later, too.
+  /// Opens the ring of plain connections if it is wanted and not open.
   void open_ring();
   void start_session(boost::asio::generic::stream_protocol::socket socket, Session session);
   void start_http(boost::asio::ip::tcp::socket socket);
@@ -83,7 +82,6 @@ class Listener {
   std::optional<TcpListener> http_;
   std::optional<HttpEndpoint> http_endpoint_;
   std::unique_ptr<Ring> ring_;
-  bool has_tried_ring_ = false;
   Server* server_ = nullptr;
   int http_clients_ = 0;
   bool closing_ = false;

@@ -26,6 +26,11 @@ class LineConnection : public Connection {
   template <class Stream>
   boost::asio::awaitable<boost::system::error_code> send_to(Stream& stream, WriteQueue& queue);
 
+  /// `send_now` by `write_some`, which returns the number of bytes that the socket has taken, at
+  /// most 0 if it takes none.
+  template <class WriteSome>
+  bool send_by(WriteQueue& queue, WriteSome write_some);
+
  private:
   LineReader reader_{protocol::kMaxLineBytes};
   bool known_ = false;
@@ -43,6 +48,19 @@ boost::asio::awaitable<boost::system::error_code> LineConnection::send_to(Stream
     on_sent_part();
   }
   co_return ec;
+}
+
+template <class WriteSome>
+bool LineConnection::send_by(WriteQueue& queue, WriteSome write_some) {
+  while (queue.bytes() > 0) {
+    if (!queue.is_sending()) queue.take();
+    const auto count = write_some(queue.unsent());
+    if (count <= 0) return false;
+    queue.sent_part(static_cast<std::size_t>(count));
+    on_sent_part();
+    if (queue.unsent().empty()) queue.sent();
+  }
+  return true;
 }
 
 }  // namespace hedgehog::server

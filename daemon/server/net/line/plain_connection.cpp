@@ -6,6 +6,7 @@
 #include <boost/asio/error.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <string_view>
 #include <utility>
 
 #include "daemon/server/net/socket_send_queue.h"
@@ -46,15 +47,12 @@ asio::awaitable<error_code> PlainConnection::send_next(WriteQueue& queue) {
 }
 
 bool PlainConnection::send_now(WriteQueue& queue, Flush) {
-  error_code ec;
-  while (queue.bytes() > 0) {
-    if (!queue.is_sending()) queue.take();
-    queue.sent_part(socket_.write_some(asio::buffer(queue.unsent()), ec));
-    if (ec) return false;
-    on_sent_part();
-    if (queue.unsent().empty()) queue.sent();
-  }
-  return true;
+  return send_by(
+      queue,
+      [this](std::string_view bytes) {
+        error_code ec;
+        return static_cast<ssize_t>(socket_.write_some(asio::buffer(bytes), ec));
+      });
 }
 
 void PlainConnection::close() noexcept {

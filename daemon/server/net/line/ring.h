@@ -8,6 +8,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/intrusive/list.hpp>
+#include <cassert>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +35,7 @@ class Ring {
     bool is_pending() const noexcept { return is_linked(); }
 
    protected:
-    ~Operation() = default;
+    ~Operation() { assert(!is_linked() || !submitted_); }
 
    private:
     friend class Ring;
@@ -51,7 +52,7 @@ class Ring {
     std::string_view bytes_{};
   };
 
-  /// nullptr: the kernel has no io_uring with what is needed (Linux 6.1), or forbids it; `reason`
+  /// nullptr: the kernel has no io_uring with what is needed (Linux 6.0), or forbids it; `reason`
   /// is then a clause for display.
   static std::unique_ptr<Ring> open(boost::asio::io_context& io, std::string& reason);
   ~Ring();
@@ -66,6 +67,8 @@ class Ring {
   void send_now(int socket, std::string_view bytes, Operation& operation);
   /// Takes back an operation that the kernel has not got yet. False: it has.
   [[nodiscard]] bool withdraw(Operation& operation) noexcept;
+  /// Completes a send that the kernel has done, without waiting for its turn. False: it has not.
+  [[nodiscard]] bool settle(Operation& send);
 
  private:
   using Clock = std::chrono::steady_clock;

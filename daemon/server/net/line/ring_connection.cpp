@@ -48,10 +48,13 @@ void RingConnection::Immediate::start(std::string_view bytes) {
   connection_.ring_.send_now(connection_.socket_, bytes, *this);
 }
 
-bool RingConnection::Immediate::withdraw() noexcept {
-  if (!is_pending()) return true;
-  if (!connection_.ring_.withdraw(*this)) return false;
-  kept_.reset();
+bool RingConnection::Immediate::finish() {
+  // A completed one may be followed by the next.
+  while (is_pending())
+    if (connection_.ring_.withdraw(*this))
+      kept_.reset();
+    else if (!connection_.ring_.settle(*this))
+      return false;
   return true;
 }
 
@@ -77,7 +80,8 @@ RingConnection::~RingConnection() {
 asio::awaitable<void> RingConnection::read() {
   for (;;) {
     const auto [count, data] = co_await receive_.run([this] { ring_.receive(socket_, receive_); });
-    if (count <= 0) co_return;
+    // What had arrived before the socket was closed is still received.
+    if (count <= 0 || closed_) co_return;
     on_received();
     if (!feed(data)) co_return;
     while (take_lines())
@@ -88,7 +92,7 @@ asio::awaitable<void> RingConnection::read() {
 
 asio::awaitable<error_code> RingConnection::send_next(WriteQueue& queue) {
   // What `send_now` has started is continued here.
-  while (!send_now_.withdraw()) co_await asio::post(executor(), asio::use_awaitable);
+  while (!send_now_.finish()) co_await asio::post(executor(), asio::use_awaitable);
   if (!queue.is_sending() && !queue.empty()) queue.take();
   while (!queue.unsent().empty()) {
     const auto result = co_await send_.run([&] { ring_.send(socket_, queue.unsent(), send_); });
@@ -106,20 +110,16 @@ bool RingConnection::send_now(WriteQueue& queue, Flush when) {
     send_now_.start(queue.unsent());
     return true;
   }
-  if (!send_now_.withdraw()) return true;
-  while (queue.bytes() > 0) {
-    if (!queue.is_sending()) queue.take();
-    const ssize_t count =
-        ::send(socket_, queue.unsent().data(), queue.unsent().size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (count <= 0) return false;
-    queue.sent_part(static_cast<std::size_t>(count));
-    on_sent_part();
-    if (queue.unsent().empty()) queue.sent();
-  }
-  return true;
+  if (!send_now_.finish()) return true;
+  return send_by(queue, [this](std::string_view bytes) {
+    return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  });
 }
 
-void RingConnection::close() noexcept { ::shutdown(socket_, SHUT_RDWR); }
+void RingConnection::close() noexcept {
+  closed_ = true;
+  ::shutdown(socket_, SHUT_RDWR);
+}
 
 std::size_t RingConnection::unread_bytes() noexcept { return socket_send_queue(socket_); }
 

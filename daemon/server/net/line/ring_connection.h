@@ -47,8 +47,8 @@ class RingConnection final : public LineConnection {
    public:
     explicit Immediate(RingConnection& connection) : connection_(connection) {}
     void start(std::string_view bytes);
-    /// False: it is pending, because the kernel has got it.
-    [[nodiscard]] bool withdraw() noexcept;
+    /// Takes it back, or completes it. False: it is pending, because the kernel is doing it.
+    [[nodiscard]] bool finish();
 
    private:
     void complete(int result, std::string_view) override;
@@ -68,6 +68,7 @@ class RingConnection final : public LineConnection {
 
   Ring& ring_;
   int socket_;
+  bool closed_ = false;
   Awaited receive_{};
   Awaited send_{};
   Immediate send_now_{*this};
