@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <system_error>
+#include <cstring>
 #include <utility>
 
 namespace hedgehog::server {
@@ -84,7 +84,7 @@ struct Ring::Kernel {
 std::unique_ptr<Ring> Ring::open(asio::io_context& io, std::string& reason) {
   auto kernel = std::make_unique<Kernel>();
   if (const int error = kernel->open(); error < 0) {
-    reason = std::system_category().message(-error);
+    reason = strerrordesc_np(-error);
     return nullptr;
   }
   return std::unique_ptr<Ring>(new Ring(io, std::move(kernel)));
