@@ -81,8 +81,9 @@ struct ConnectionSettings {
   std::size_t queue_bytes = 1u << 20;
   /// A client whose requests are paused is disconnected if it reads nothing for so long, s.
   int write_timeout_s = 10;
-  /// Plain sockets use io_uring where the kernel has it and allows it.
-  bool io_uring = true;
+  /// So many clients are served by system calls of their own, which is best for a few; the plain
+  /// sockets of further ones use io_uring where the kernel has it and allows it.
+  std::size_t io_uring_after = 8;
   friend bool operator==(const ConnectionSettings&, const ConnectionSettings&) = default;
 };
 

@@ -89,7 +89,7 @@ constexpr const char* kOtherKeys = R"({
   "http": {"listen": null, "allow_origins": ["https://game.example:8443"], "pages": "/srv/www"},
   "access": {"tokens": "/srv/tokens", "certificate": "/srv/cert.pem", "key": "/srv/cert.key",
              "unix": {"operate": ["root", "@0"], "play": ["@root"], "observe": ["*"]}},
-  "connections": {"max": 8, "queue_bytes": 262144, "write_timeout_s": 3, "io_uring": false},
+  "connections": {"max": 8, "queue_bytes": 262144, "write_timeout_s": 3, "io_uring_after": 3},
   "telemetry": {"max_rate_hz": 50},
   "log": {"level": "debug"}, "state_directory": "/srv/state", "runtime_directory": "/srv/run",
   "simulator": {"ambient_c": 18, "start_temperature_c": 53, "process": true, "seed": 4294967295,
@@ -124,7 +124,7 @@ TEST(LoadConfig, EveryKeyIsLoaded) {
       {{}}, {{kGroup, 0, "@root"}}, {{kUser, 0, "root"}, {kGroup, 0, "@0"}}};
   EXPECT_EQ(c.access,
             (AccessSettings{"/srv/tokens", "/srv/cert.pem", "/srv/cert.key", {}, "", "", roles}));
-  EXPECT_EQ(c.connections, (ConnectionSettings{8, 262144, 3, false}));
+  EXPECT_EQ(c.connections, (ConnectionSettings{8, 262144, 3, 3}));
   EXPECT_EQ(c.telemetry_max_rate_hz, 50);
   EXPECT_EQ(c.log_level, LogLevel::kDebug);
   EXPECT_EQ(c.state_directory, "/srv/state");

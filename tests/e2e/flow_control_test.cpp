@@ -43,7 +43,8 @@ class Flow : public testing::TestWithParam<bool> {
   struct TimeoutHome : Home {
     explicit TimeoutHome(int write_timeout_s) {
       configure(
-          Json{{"connections", {{"write_timeout_s", write_timeout_s}, {"io_uring", GetParam()}}}}
+          Json{{"connections",
+                {{"write_timeout_s", write_timeout_s}, {"io_uring_after", GetParam() ? 0 : 1024}}}}
               .dump());
     }
   };

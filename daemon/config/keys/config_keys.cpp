@@ -133,8 +133,9 @@ void add_listeners(std::vector<Key<D>>& keys) {
   keys.push_back(integer_key<D>(
       "connections.write_timeout_s", 1, 600,
       [](auto& d) -> auto& { return d.config.connections.write_timeout_s; }));
-  keys.push_back(boolean_key<D>(
-      "connections.io_uring", [](auto& d) -> auto& { return d.config.connections.io_uring; }));
+  keys.push_back(integer_key<D>(
+      "connections.io_uring_after", 0, 1024,
+      [](auto& d) -> auto& { return d.config.connections.io_uring_after; }));
   keys.push_back(integer_key<D>(
       "telemetry.max_rate_hz", 1, 200,
       [](auto& d) -> auto& { return d.config.telemetry_max_rate_hz; }));

@@ -182,7 +182,7 @@ bool Listener::has_capacity(const Session& session) {
 }
 
 void Listener::open_ring() {
-  if (!settings_.io_uring || ring_) return;
+  if (settings_.io_uring_after >= settings_.max || ring_) return;
   std::string reason;
   ring_ = Ring::open(io_, reason);
   if (!ring_) spdlog::info("io_uring is not used: {}", reason);
@@ -202,7 +202,7 @@ void Listener::start_session(asio::generic::stream_protocol::socket socket, Sess
     return;
   }
   std::shared_ptr<Connection> connection;
-  if (ring_ && settings_.io_uring) {
+  if (ring_ && server_->connections() >= settings_.io_uring_after) {
     connection = std::make_shared<RingConnection>(std::move(socket), *ring_, *server_,
                                                   std::move(session), settings_);
   } else {

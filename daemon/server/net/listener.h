@@ -60,7 +60,7 @@ class Listener {
   boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept on_accept);
   template <class AnySocket>
   Session session_with(AnySocket& socket, const char* transport = nullptr) const;
-  /// Opens the ring of plain connections if it is wanted and not open.
+  /// Opens the ring of plain connections if there may be enough of them and it is not open.
   void open_ring();
   void start_session(boost::asio::generic::stream_protocol::socket socket, Session session);
   void start_http(boost::asio::ip::tcp::socket socket);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines on a plain socket, with a system call for each read and write: where io_uring is not
-// available, or not wanted.
+// Lines on a plain socket, with a system call for each read and write: for the first clients, and
+// where io_uring is not available.
 #pragma once
 
 #include <boost/asio/generic/stream_protocol.hpp>
