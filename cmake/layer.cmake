@@ -30,12 +30,13 @@ function(hedgehog_sources variable)
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()
 
-# hedgehog_layer(<target> [FAST] [FUZZED] [PCH <owner>] [EXCEPT <file>...] [PUBLIC <target>...] [PRIVATE <target>...])
+# hedgehog_layer(<target> [FAST] [TICK] [FUZZED] [PCH <owner>] [EXCEPT <file>...] [PUBLIC <target>...] [PRIVATE <target>...])
 #   FAST  optimise development builds too: this layer runs inside simulations
+#   TICK  runs each millisecond: what ships is optimised across its files. No target that is installed as an archive
 #   FUZZED  reads untrusted bytes: instrumented for the fuzzers
 #   PCH   reuse the precompiled header of that target
 function(hedgehog_layer target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;FUZZED" PCH "EXCEPT;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;TICK;FUZZED" PCH "EXCEPT;PUBLIC;PRIVATE")
   hedgehog_sources(sources EXCEPT ${arg_EXCEPT})
   if(NOT sources)
     add_library(${target} INTERFACE)
@@ -52,6 +53,9 @@ function(hedgehog_layer target)
   endforeach()
   if(arg_FAST)
     target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O2>)
+  endif()
+  if(arg_TICK)
+    set_target_properties(${target} PROPERTIES INTERPROCEDURAL_OPTIMIZATION_RELEASE "${HEDGEHOG_LINK_TIME}")
   endif()
   if(arg_FUZZED AND HEDGEHOG_FUZZ)
     target_compile_options(${target} PRIVATE ${HEDGEHOG_FUZZ_COVERAGE})
