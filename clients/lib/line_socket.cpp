@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "clients/lib/line_socket.h"
 
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
 #include <array>
 #include <boost/asio.hpp>
 #include <boost/asio/ssl/error.hpp>
+#include <cerrno>
 #include <utility>
 #include <vector>
 
@@ -58,6 +63,33 @@ struct LineSocket::Impl {
       if (finished.error == asio::error::operation_aborted) finished.error = asio::error::timed_out;
     }
     return finished;
+  }
+
+  /// Into `chunk`. Without TLS not by Asio, for which a read is a recv that finds nothing, an
+  /// epoll_wait, and a recv.
+  Finished receive(Clock::time_point deadline) {
+    if (tls)
+      return await(deadline,
+                   [this](auto done) { tls->stream().async_read_some(asio::buffer(chunk), done); });
+    for (;;) {
+      const auto left = std::max(deadline - Clock::now(), Clock::duration::zero());
+      const bool is_over = left == left.zero() || !wait_until_readable(left);
+      const ssize_t bytes =
+          ::recv(socket.native_handle(), chunk.data(), chunk.size(), MSG_DONTWAIT);
+      if (bytes > 0) return {{}, static_cast<std::size_t>(bytes)};
+      if (bytes == 0) return {asio::error::eof, 0};
+      if (errno != EAGAIN && errno != EINTR)
+        return {error_code(errno, boost::system::system_category()), 0};
+      if (is_over) return {};
+    }
+  }
+
+  /// False after `time`. May return true too early.
+  bool wait_until_readable(Clock::duration time) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
+    const timespec timeout{seconds.count(), (time - seconds).count()};
+    pollfd readable{socket.native_handle(), POLLIN, 0};
+    return ::ppoll(&readable, 1, &timeout, nullptr) != 0;
   }
 
   void close() {
@@ -236,12 +268,7 @@ Outcome<std::optional<std::string>> LineSocket::read(Clock::time_point deadline)
       return ClientError{Failure::kProtocol, "the daemon sent a line longer than the limit", {}};
     }
     if (!impl_->socket.is_open()) return ended(asio::error::eof);
-    const auto finished = impl_->await(deadline, [&](auto done) {
-      if (impl_->tls)
-        impl_->tls->stream().async_read_some(asio::buffer(impl_->chunk), done);
-      else
-        impl_->socket.async_read_some(asio::buffer(impl_->chunk), done);
-    });
+    const auto finished = impl_->receive(deadline);
     impl_->buffer.append(impl_->chunk.data(), finished.bytes);
     if (finished.bytes > 0) continue;
     if (finished.error == asio::error::timed_out) return std::optional<std::string>();
