@@ -9,6 +9,7 @@
 #include <boost/asio.hpp>
 #include <boost/asio/ssl/error.hpp>
 #include <cerrno>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -72,8 +73,8 @@ struct LineSocket::Impl {
       return await(deadline,
                    [this](auto done) { tls->stream().async_read_some(asio::buffer(chunk), done); });
     for (;;) {
-      const auto left = std::max(deadline - Clock::now(), Clock::duration::zero());
-      const bool is_over = left == left.zero() || !wait_until_readable(left);
+      const auto now = Clock::now();
+      const bool is_over = deadline <= now || !wait_until_readable(deadline - now);
       const ssize_t bytes =
           ::recv(socket.native_handle(), chunk.data(), chunk.size(), MSG_DONTWAIT);
       if (bytes > 0) return {{}, static_cast<std::size_t>(bytes)};
@@ -87,7 +88,8 @@ struct LineSocket::Impl {
   /// False after `time`. May return true too early.
   bool wait_until_readable(Clock::duration time) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
-    const timespec timeout{seconds.count(), (time - seconds).count()};
+    const timespec timeout{static_cast<std::time_t>(seconds.count()),
+                           static_cast<long>((time - seconds).count())};
     pollfd readable{socket.native_handle(), POLLIN, 0};
     return ::ppoll(&readable, 1, &timeout, nullptr) != 0;
   }
