@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <utility>
+
 #include "daemon/device/board_codec.h"
 
 namespace hedgehog::control {
@@ -19,7 +22,7 @@ device::BoardTelemetry board_with(double more_a, double more_k) {
 }
 
 TEST(BoardCheck, ABoardThatAllowsAsMuchOrMoreLeavesTheLimits) {
-  for (const double more : {-0.009, 0.0, 5.0})
+  for (const double more : {-0.01, 0.0, 5.0})
     EXPECT_EQ(limits_within(model::Limits{}, board_with(more, more)), model::Limits{}) << more;
 }
 
@@ -84,6 +87,30 @@ TEST(BoardCheck, FiftyTicksWithoutBeingArmedIsARestart) {
     EXPECT_FALSE(check.restarted()) << "nothing new was heard";
     check.step(true, true, board, 1);
     EXPECT_TRUE(check.restarted());
+  }
+}
+
+TEST(BoardCheck, NamesTheMostSevereFault) {
+  const std::pair<std::uint16_t, Reason> most_severe_first[] = {
+      {device::kFaultStuckBridge, Reason::kBoardStuckBridge},
+      {device::kFaultBridge, Reason::kBridgeFault},
+      {device::kFaultUnexpectedCurrent, Reason::kUnexpectedCurrent},
+      {device::kFaultCurrentSense, Reason::kCurrentMismatch},
+      {device::kFaultOverCurrent, Reason::kBoardOverCurrent},
+      {device::kFaultOverHeat, Reason::kBoardOverHeat},
+      {device::kFaultHeatBudget, Reason::kBoardHeatBudget},
+      {device::kFaultSupply, Reason::kBoardSupply},
+      {device::kFaultSensorOpen, Reason::kSensorOpen},
+      {device::kFaultSensorShort, Reason::kSensorShort},
+      {device::kFaultDeadMan, Reason::kBoardDeadMan},
+  };
+  EXPECT_EQ(reason_of_faults(0), Reason::kNone);
+  std::uint16_t rest = 0;
+  for (const auto& [fault, reason] : most_severe_first) rest |= fault;
+  for (const auto& [fault, reason] : most_severe_first) {
+    EXPECT_EQ(reason_of_faults(fault), reason) << name(reason);
+    EXPECT_EQ(reason_of_faults(rest), reason) << name(reason) << " with all that are less severe";
+    rest = static_cast<std::uint16_t>(rest & ~fault);
   }
 }
 

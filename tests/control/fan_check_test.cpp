@@ -43,6 +43,14 @@ TEST(FanCooling, EndsWithTheTelemetry) {
   EXPECT_FALSE(after(0.4, {true, 1.0, 7200.0}, after(0.2, {}, check)).cooling());
 }
 
+TEST(FanCooling, ATelemetryOfATenthOfASecondIsNotTooOld) {
+  FanCheck check = after(1.0, {true, 1.0, 7200.0});
+  for (int half = 0; half < 2; ++half) check.follow({}, FanCheck::kMaxAgeS / 2);
+  EXPECT_TRUE(check.cooling());
+  check.follow({}, kTickSeconds);
+  EXPECT_FALSE(check.cooling());
+}
+
 TEST(FanCooling, ADrivenFanThatIsTooSlowIsDefective) {
   EXPECT_TRUE(after(60.0, {true, 0.0, 0.0}).works());
   EXPECT_TRUE(after(9.0, {true, 1.0, 2000.0}).works()) << "it may take its time to start";
@@ -50,6 +58,13 @@ TEST(FanCooling, ADrivenFanThatIsTooSlowIsDefective) {
   EXPECT_FALSE(slow.works());
   EXPECT_FALSE(after(60.0, {true, 0.0, 0.0}, slow).works()) << "until it is seen to work";
   EXPECT_TRUE(after(1.0, {true, 1.0, 7200.0}, slow).works());
+}
+
+TEST(FanCooling, TheTimeToStartBeginsAnewOnceItHasTurned) {
+  const FanReading slow{true, 1.0, 2000.0};
+  const FanCheck turned = after(0.1, {true, 1.0, 7200.0}, after(9.5, slow));
+  EXPECT_TRUE(after(9.5, slow, turned).works());
+  EXPECT_FALSE(after(10.5, slow, turned).works());
 }
 
 RC_GTEST_PROP(FanCooling, IsNeverCreditedOutsideItsRange, ()) {

@@ -105,7 +105,7 @@ TEST(ThermometerCheck, ACoilTenKelvinsFromItsThermistorForFiveSecondsDisagrees) 
   for (const double sign : {1.0, -1.0}) {
     Reason reason{};
     Probe probe(ThermometerRole::kCoil);
-    probe.reading.sample.celsius = 25.0 + sign * 9.99;
+    probe.reading.sample.celsius = 25.0 + sign * 10.0;
     EXPECT_EQ(probe.trips_after(reason), 0);
     EXPECT_EQ(probe.check.arming_blocker(), Reason::kNone);
     probe.reading.sample.celsius = 25.0 + sign * 10.01;
@@ -158,9 +158,23 @@ TEST(ThermometerCheck, AfterALongGapFollowsTheThermistorAtOnce) {
   probe.reading.sample.stamp = probe.reading.now;
   probe.check.step(probe.reading, 100.0);
   EXPECT_EQ(probe.check.arming_blocker(), Reason::kNone);
-  probe.reading.sample.celsius = 49.0;
+  for (const double disagreeing_c : {49.0, 71.0}) {
+    probe.reading.sample.celsius = disagreeing_c;
+    probe.step();
+    EXPECT_EQ(probe.check.arming_blocker(), Reason::kThermometerDisagrees) << disagreeing_c;
+  }
+}
+
+TEST(ThermometerCheck, AShellThatIsArmedMayBeAsWarmAsWhereTheCurrentEnds) {
+  Probe probe(ThermometerRole::kShell);
+  EXPECT_TRUE(probe.check.too_warm_to_arm()) << "not known yet";
+  probe.reading.sample.celsius = model::kShellZeroC;
   probe.step();
-  EXPECT_EQ(probe.check.arming_blocker(), Reason::kThermometerDisagrees);
+  EXPECT_FALSE(probe.check.too_warm_to_arm());
+  probe.reading.sample.celsius = model::kShellZeroC + 0.01;
+  probe.step();
+  EXPECT_TRUE(probe.check.too_warm_to_arm());
+  EXPECT_FALSE(Probe(ThermometerRole::kCoil).check.too_warm_to_arm());
 }
 
 }  // namespace

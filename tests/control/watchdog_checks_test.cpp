@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The watchdog's checks of currents, heat, fan and board: trip conditions and tolerated readings.
+// The watchdog's checks of currents, fan and board: trip conditions and tolerated readings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "daemon/control/checks/board_check.h"
 #include "daemon/control/checks/current_check.h"
 #include "daemon/control/checks/fan_check.h"
-#include "daemon/control/checks/over_temperature_check.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
@@ -145,90 +144,6 @@ TEST(CurrentCheck, LostFramesDoNotStopTheClock) {
   EXPECT_EQ(frames, 3);
 }
 
-/// A tick of a steady current in winding `coil`, which is at `celsius`.
-HeatReading steady(int coil, double current_a, double celsius) {
-  HeatReading reading;
-  reading.electrical = true;
-  reading.thermistors.valid[0] = true;
-  reading.thermistors.celsius[0] = 30.0;
-  reading.before_a[coil] = reading.after_a[coil] = current_a;
-  reading.voltage_v[coil] = current_a * 0.45 * (1.0 + 0.00393 * (celsius - 25.0));
-  return reading;
-}
-
-/// A check with a reference resistance of winding `coil`: it was driven while the ball was at 30 C.
-OverTemperatureCheck referenced(int coil) {
-  OverTemperatureCheck check;
-  check.start_rested();
-  for (int i = 0; i < 300; ++i)
-    check.step(steady(coil, i < 10 ? 0.0 : 15.0, 30.0), 70.0, model::kTickSeconds);
-  EXPECT_TRUE(check.referenced(coil));
-  return check;
-}
-
-TEST(OverTemperatureCheck, AWindingAtSeventyForFiftyMilliseconds) {
-  for (int coil = 0; coil < model::kCoils; ++coil) {
-    OverTemperatureCheck check = referenced(coil);
-    const auto drive = [&](double celsius) {
-      return check.step(steady(coil, -5.0, celsius), 70.0, model::kTickSeconds);
-    };
-    for (int i = 0; i < 5000; ++i) ASSERT_EQ(drive(69.5), Reason::kNone);
-    EXPECT_NEAR(check.winding_c(coil), 69.5, 0.3);
-    int ticks = 0;
-    while (drive(71.0) == Reason::kNone && ticks < 1000) ++ticks;
-    EXPECT_LT(ticks, 130);
-    EXPECT_GE(ticks, 49);
-  }
-}
-
-TEST(OverTemperatureCheck, AWindingIsCheckedByItsPresentCurrentOnly) {
-  OverTemperatureCheck check = referenced(1);
-  const auto tick = [&](double current_a) {
-    return check.step(steady(1, current_a, 72.0), 70.0, model::kTickSeconds);
-  };
-  for (int i = 0; i < 20; ++i) ASSERT_EQ(tick(6.0), Reason::kNone);
-  ASSERT_TRUE(check.measuring(1));
-  for (int i = 0; i < 200; ++i) ASSERT_EQ(tick(0.0), Reason::kNone) << i;
-  // A pulse train, 8 ms of every 80: only driven milliseconds count for the 50 ms.
-  int driven = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const bool on = i % 80 < 8;
-    driven += on ? 1 : 0;
-    if (tick(on ? 12.0 : 0.0) != Reason::kNone) break;
-  }
-  EXPECT_GE(driven, 49);
-  EXPECT_LE(driven, 120);
-}
-
-TEST(OverTemperatureCheck, AWindingColderThanAnyAmbientForHalfASecondIsAMismatch) {
-  OverTemperatureCheck check;
-  int ticks = 0;
-  while (check.step(steady(2, 8.0, -60.0), 70.0, model::kTickSeconds) == Reason::kNone &&
-         ticks < 2000)
-    ++ticks;
-  EXPECT_GE(ticks, 499);
-  EXPECT_LT(ticks, 700);
-  EXPECT_EQ(check.step(steady(2, 8.0, -60.0), 70.0, model::kTickSeconds), Reason::kCurrentMismatch);
-}
-
-TEST(OverTemperatureCheck, TheThermistorAtSeventyForFiftyMilliseconds) {
-  OverTemperatureCheck check;
-  HeatReading reading;
-  reading.thermistors.valid[0] = true;
-  for (int round = 0; round < 100; ++round) {
-    reading.thermistors.celsius[0] = 70.5;
-    for (int i = 0; i < 40; ++i)
-      ASSERT_EQ(check.step(reading, 70.0, model::kTickSeconds), Reason::kNone);
-    reading.thermistors.celsius[0] = 69.5;
-    for (int i = 0; i < 40; ++i)
-      ASSERT_EQ(check.step(reading, 70.0, model::kTickSeconds), Reason::kNone);
-  }
-  reading.thermistors.celsius[0] = 70.0;
-  int ticks = 1;
-  while (check.step(reading, 70.0, model::kTickSeconds) == Reason::kNone && ticks < 100) ++ticks;
-  EXPECT_EQ(ticks, 50);
-}
-
 TEST(FanCheck, ThreeSecondsWithoutATurn) {
   FanCheck check;
   for (int i = 0; i < 10'000; ++i)
@@ -242,17 +157,6 @@ TEST(FanCheck, ThreeSecondsWithoutATurn) {
   check.step(1.0, 400.0, model::kTickSeconds);
   for (int i = 0; i < 2999; ++i)
     ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
-}
-
-TEST(BoardCheck, NamesTheMostSevereFault) {
-  using namespace device;
-  EXPECT_EQ(name(reason_of_faults(kFaultDeadMan)), "board_dead_man");
-  EXPECT_EQ(name(reason_of_faults(kFaultDeadMan | kFaultBridge)), "bridge_fault");
-  EXPECT_EQ(name(reason_of_faults(kFaultBridge | kFaultStuckBridge)), "board_stuck_bridge");
-  EXPECT_EQ(name(reason_of_faults(kFaultSensorShort)), "sensor_short");
-  EXPECT_EQ(name(reason_of_faults(0)), "none");
-  for (int bit = 0; bit < 9; ++bit)
-    EXPECT_NE(reason_of_faults(static_cast<std::uint16_t>(1 << bit)), Reason::kNone) << bit;
 }
 
 TEST(BoardCheck, AliveUntilAHundredTicksOfSilence) {

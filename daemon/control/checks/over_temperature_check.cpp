@@ -67,7 +67,7 @@ Reason OverTemperatureCheck::step(const HeatReading& reading, double trip_c, dou
         reading.electrical && reading.measured[i] && mean_a >= model::WindingMeter::kMinCurrentA;
     if (measuring(coil) && !shown) continue;
     const double since_s = measuring(coil) ? dt_s : kDecayShare * dt_s;
-    const double error_k = measuring(coil) ? noise_k(coil) + bias_k(coil) + file_k(coil) : 0.0;
+    const double error_k = noise_k(coil) + bias_k(coil) + file_k(coil);
     const bool high = measuring(coil) && winding_c(coil) - error_k >= trip_c;
     hot |= hot_[i].step(high, since_s, kHoldS);
     const bool cold = measuring(coil) && winding_c(coil) + error_k < coldest;
