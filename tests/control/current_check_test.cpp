@@ -116,6 +116,19 @@ TEST(CurrentCheck, AGapIsExcusedAsAnEdge) {
   for (int ms = 0; ms < 100; ++ms) ASSERT_EQ(name(bench.step(5.0)), "none") << ms;
 }
 
+// The current of before the gap is read for a while after it.
+TEST(CurrentCheck, ADriveThatBeganJustBeforeAGapIsExcusedAfterIt) {
+  Bench bench;
+  bench.settle(0.0);
+  bench.command(0.8);
+  bench.step(0.0);
+  bench.command(0.0);
+  bench.reading.held_v.x = 0.8 * kOhm;
+  bench.reading.skipped = 100;
+  bench.reading.since_s = 0.02;
+  for (int frame = 0; frame < 5; ++frame) ASSERT_EQ(name(bench.step(0.79)), "none") << frame;
+}
+
 TEST(CurrentCheck, InAGapTheLastSetPointIsHeldForNineteenTicks) {
   Bench bench;
   bench.settle(10.0);

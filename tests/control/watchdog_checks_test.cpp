@@ -16,7 +16,7 @@ TEST(CurrentCheck, AnIdleWindingMayCarryHalfAnAmpere) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
   reading.fresh = reading.follows = true;
-  reading.current_a = {0.49, -0.49, 0.0};
+  reading.current_a = {0.5, -0.5, 0.0};
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(check.step(reading), Reason::kNone);
   reading.current_a = {0.0, 0.0, -0.52};
   int ticks = 1;
