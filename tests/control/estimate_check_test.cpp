@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "model/coils.h"
 
 namespace hedgehog::control {
@@ -74,6 +76,23 @@ TEST(EstimateCheck, AResistanceThatFallsWhileTheWindingIsHeatedNamesBoth) {
   EXPECT_EQ(ball.disagreement().coil(), kDriven);
   EXPECT_TRUE(ball.disagreement().has(Quantity::kResistance));
   EXPECT_LT(ticks, 1000);
+}
+
+TEST(EstimateCheck, AFallBesideAThermistorWithAnOffsetNamesTheThermistorToo) {
+  for (const auto& [offset_k, named] :
+       {std::pair{0.0, false}, {0.8, false}, {1.5, true}, {3.0, true}}) {
+    Followed ball(30.0);
+    for (int i = 0; i < 8000; ++i) {
+      ball.show(kDriven, ball.winding_c() + offset_k);
+      ASSERT_EQ(name(ball.tick(6.0, ball.winding_c())), "none") << offset_k << " K, " << i;
+    }
+    const double warm_c = ball.winding_c();
+    Reason found = Reason::kNone;
+    ticks_until_found([&] { return ball.tick(6.0, warm_c - 25.0); }, found);
+    EXPECT_EQ(name(found), "measurements_disagree");
+    EXPECT_TRUE(ball.disagreement().has(Quantity::kResistance));
+    EXPECT_EQ(ball.disagreement().has(Quantity::kThermistor), named) << offset_k << " K";
+  }
 }
 
 TEST(EstimateCheck, ADeviatingThermistorIsNamed) {
