@@ -82,7 +82,6 @@ void ThermistorCheck::follow_winding(const SensorReading& reading, double dt_s) 
   unmeasured_s_ = measuring ? 0.0 : unmeasured_s_ + dt_s;
   if (measuring) winding_c_ = reading.winding_c;
   if (unmeasured_s_ > kPauseS) {
-    low_pass(winding_c_, reading.sensor_c, dt_s, kRelaxS);
     low_pass(quick_c_, reading.sensor_c, dt_s, kRelaxS);
     low_pass(slow_c_, reading.sensor_c, dt_s, kRelaxS);
   } else {
@@ -101,7 +100,6 @@ void ThermistorCheck::follow_winding(const SensorReading& reading, double dt_s) 
 }
 
 bool ThermistorCheck::frozen(const SensorReading& reading) const noexcept {
-  if (std::abs(reading.sensor_c - moved_sensor_c_) >= kStillK) return false;
   const double noise_k = reading.winding_error_k - reading.winding_bias_k;
   return std::min(std::abs(quick_c_ - moved_quick_c_), std::abs(slow_c_ - moved_slow_c_)) >=
          kFrozenK + (max_bias_k_ - min_bias_k_) + noise_k;
