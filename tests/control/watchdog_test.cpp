@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/device/limited.h"
+
 namespace hedgehog::control {
 namespace {
 
@@ -54,6 +56,22 @@ struct Watched {
   model::Tick now_ = 0;
 };
 
+/// A ball whose windings carry `current_a` as commanded, and whose supply shows `share` of what
+/// they draw.
+Watched driven(const model::Vec3& current_a, double share) {
+  Watched ball;
+  ball.commanded = device::BoardCommand::drive(device::limited(current_a), {0.45, 0.45, 0.45},
+                                               1.5e-3, current_a, ball.board.supply_v);
+  ball.board.mode = device::BoardMode::kDriving;
+  ball.board.bridges_awake = true;
+  ball.board.current_a = current_a;
+  ball.board.duty = ball.commanded.duty();
+  ball.board.accuracy = model::kInLineAccuracy;
+  ball.board.supply_current_known = true;
+  ball.board.supply_current_a = share * dot(ball.board.duty, current_a);
+  return ball;
+}
+
 TEST(Watchdog, AHealthyBallAtRestIsNoFault) {
   Watched ball;
   EXPECT_EQ(ball.run(20'000), Reason::kNone);
@@ -88,6 +106,24 @@ TEST(Watchdog, TheBoardsOwnFaultIsNamedBeforeItsConsequences) {
   ball.run(14);
   ball.board.faults = device::kFaultBridge;
   EXPECT_EQ(ball.step(), Reason::kBridgeFault);
+}
+
+TEST(Watchdog, ASupplyCurrentThatContradictsTheWindingsIsADisagreement) {
+  EXPECT_EQ(name(driven({8, 5, 6}, 1.0).run(3000)), "none");
+  Watched ball = driven({8, 5, 6}, 0.8);
+  EXPECT_EQ(name(ball.run(3000)), "measurements_disagree");
+  EXPECT_TRUE(ball.watchdog.disagreement().has(Quantity::kSupplyCurrent));
+}
+
+TEST(Watchdog, TheSupplyIsComparedWithMeasuredCurrentsOnly) {
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    Watched ball = driven({8, 5, 6}, 0.8);
+    ball.board.measured[static_cast<std::size_t>(coil)] = false;
+    EXPECT_EQ(name(ball.run(3000)), "none") << coil;
+  }
+  Watched unknown = driven({8, 5, 6}, 0.8);
+  unknown.board.supply_current_known = false;
+  EXPECT_EQ(name(unknown.run(3000)), "none");
 }
 
 TEST(Watchdog, ASleepingBoardIsExpectedToCarryNoCurrent) {
