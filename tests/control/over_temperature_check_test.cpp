@@ -80,7 +80,7 @@ TEST(OverTemperatureCheck, EachWindingIsMeasuredByItsOwnResistance) {
   }
 }
 
-TEST(OverTemperatureCheck, TheLeastCurrentThatIsMeasuredIsEvidence) {
+TEST(OverTemperatureCheck, TheMinMeasuredCurrentIsEvidence) {
   OverTemperatureCheck check = referenced(1);
   int ticks = 0;
   while (check.step(steady(1, model::WindingMeter::kMinCurrentA, 100.0), 70.0,
