@@ -445,7 +445,7 @@ waiting:
 	@cmake/each_target.sh test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' \
 	  test-install test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release
 
-# Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
+# Whose mutants have all been tested; what survives in the other files of tests/mutations/scope.txt is not known in full.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp board_check.cpp current_check.cpp fan_check.cpp \
   over_temperature_check.cpp thermistor_check.cpp thermometer_check.cpp
 check-in-ci:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The daemon's checks of a board's own limits and of its silence.
+// The daemon's checks of a board's own limits, its silence and its faults.
 #include "daemon/control/checks/board_check.h"
 
 #include <gtest/gtest.h>

@@ -87,7 +87,7 @@ TEST(OverTemperatureCheck, TheMinMeasuredCurrentIsEvidence) {
                     model::kTickSeconds) == Reason::kNone &&
          ticks < 1000)
     ++ticks;
-  EXPECT_LT(ticks, 300);
+  EXPECT_LT(ticks, 400);
 }
 
 TEST(OverTemperatureCheck, HowColdAWindingMayBeDependsOnItsThermistor) {

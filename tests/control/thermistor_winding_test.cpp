@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kDt = model::kTickSeconds;
 
-/// A thermistor that reads `sensor_c` while its winding warms by 1 K/s from there. The winding's
-/// temperature when the check has a reason; 0 at 30 K more.
+/// A thermistor that reads `sensor_c` while its winding warms by 1 K/s from `winding_c`. Returns
+/// the winding's temperature when the thermistor counts as frozen; 0 if not within 30 K.
 double warmed_until_frozen(Sensor& sensor, double sensor_c, double winding_c) {
   sensor.reading.measuring = true;
   for (const double end_c = winding_c + 30.0; winding_c < end_c; winding_c += 1.0 * kDt) {
@@ -157,7 +157,7 @@ TEST(ThermistorCheck, AfterALongGapBothLagsAreAtTheWinding) {
   sensor.reading.since_s = 10.0;
   ++sensor.reading.conversions;
   sensor.check.step(sensor.reading, 10.0);
-  EXPECT_EQ(name(sensor.check.arming_blocker()), "none") << "10 K, not 20";
+  EXPECT_EQ(name(sensor.check.arming_blocker()), "none") << "they differ by 10 K";
 }
 
 TEST(ThermistorCheck, AfterAStepOfItsWindingItMayLagByOneToThreeSeconds) {
@@ -189,7 +189,8 @@ int tolerated_ticks(Sensor& sensor, double sensor_c, double winding_c) {
   return ticks;
 }
 
-// In a pause what is expected of the thermistor approaches its reading after two seconds, by three.
+// After two seconds of a pause what is expected of the thermistor approaches its reading, with a
+// time constant of three. At once it would be tolerated for 7.1 s afterwards, with six for 7.9.
 TEST(ThermistorCheck, ALongPauseForgetsWhatTheWindingWas) {
   Sensor sensor;
   sensor.until_trip(40.0, 100);

@@ -32,7 +32,7 @@ class FanCheck {
   /// Time for which the tachometer must have been in range, and maximum age of the telemetry.
   static constexpr double kCoolingHoldS = 0.5;
   static constexpr double kMaxAgeS = 0.1;
-  /// A driven fan that has not been credited with cooling for this long counts as failed.
+  /// A driven fan whose speed has been out of range for this long counts as failed.
   static constexpr double kMaxStartS = 10.0;
 
   FanCheck() noexcept = default;
@@ -58,7 +58,8 @@ class FanCheck {
   bool stopped() const noexcept { return due_; }
   /// The fan is credited with cooling the core.
   bool cooling() const noexcept { return cooling_s_ >= kCoolingHoldS; }
-  /// False after the fan was driven without being credited with cooling; true again when it is.
+  /// False after the driven fan's speed was out of range for 10 s; true again when the fan is
+  /// credited with cooling.
   bool works() const noexcept { return works_; }
 
  private:

@@ -65,12 +65,17 @@ Reason OverTemperatureCheck::step(const HeatReading& reading, double trip_c, dou
     const double mean_a = 0.5 * std::abs(reading.before_a[coil] + reading.after_a[coil]);
     const bool shown =
         reading.electrical && reading.measured[i] && mean_a >= model::WindingMeter::kMinCurrentA;
-    if (measuring(coil) && !shown) continue;
-    const double since_s = measuring(coil) ? dt_s : kDecayShare * dt_s;
-    const double error_k = noise_k(coil) + bias_k(coil) + file_k(coil);
-    const bool high = measuring(coil) && winding_c(coil) - error_k >= trip_c;
+    double since_s = kDecayShare * dt_s;
+    bool high = false;
+    bool cold = false;
+    if (measuring(coil)) {
+      if (!shown) continue;
+      since_s = dt_s;
+      const double error_k = noise_k(coil) + bias_k(coil) + file_k(coil);
+      high = winding_c(coil) - error_k >= trip_c;
+      cold = winding_c(coil) + error_k < coldest;
+    }
     hot |= hot_[i].step(high, since_s, kHoldS);
-    const bool cold = measuring(coil) && winding_c(coil) + error_k < coldest;
     too_cold |= too_cold_[i].step(cold, since_s, kTooColdHoldS);
   }
   if (hot) return Reason::kOverheated;

@@ -38,7 +38,7 @@ Reason ThermistorCheck::step(const SensorReading& reading, double dt_s) noexcept
   conversions_ = reading.conversions;
   if (!seen_ && good) {
     seen_ = true;
-    plausible_c_ = winding_c_ = quick_c_ = slow_c_ = reading.sensor_c;
+    plausible_c_ = quick_c_ = slow_c_ = reading.sensor_c;
     moved_sensor_c_ = moved_quick_c_ = moved_slow_c_ = reading.sensor_c;
   }
   const bool jump = good && jumped(reading, reading.since_s);

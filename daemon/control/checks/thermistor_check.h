@@ -86,12 +86,12 @@ class ThermistorCheck {
   double still_s_ = 0.0;       // since the last conversion
   double plausible_c_ = 25.0;  // last reading without a jump
   double plausible_age_s_ = 0.0;
+  double winding_c_ = 25.0;  // when it was last measured
   // Expected readings of thermistors with the shortest and the longest lag.
-  double winding_c_ = 25.0;
   double quick_c_ = 25.0;
   double slow_c_ = 25.0;
   double unmeasured_s_ = 1e9;
-  // The same three at the last change of the reading.
+  // The reading at its last change, and both expectations then.
   double moved_sensor_c_ = 25.0;
   double moved_quick_c_ = 25.0;
   double moved_slow_c_ = 25.0;
