@@ -24,10 +24,6 @@ if(PROJECT_IS_TOP_LEVEL)
   add_compile_options($<$<CONFIG:Release>:-fstack-protector-strong> "$<$<CONFIG:Release>:-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.>")
   add_compile_definitions($<$<CONFIG:Release>:_FORTIFY_SOURCE=2>)
   add_link_options($<$<CONFIG:Release>:-Wl,-z,relro,-z,now>)
-  # For what runs each millisecond (layer.cmake). clang's linker would need to be told.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    set(HEDGEHOG_LINK_TIME ON)
-  endif()
 endif()
 
 # A replay must be bit for bit, so no fused multiply-add may appear where the source has none.

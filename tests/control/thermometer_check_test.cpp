@@ -165,7 +165,7 @@ TEST(ThermometerCheck, AfterALongGapFollowsTheThermistorAtOnce) {
   }
 }
 
-TEST(ThermometerCheck, AShellThatIsArmedMayBeAsWarmAsWhereTheCurrentEnds) {
+TEST(ThermometerCheck, ABallMayBeArmedUpToTheShellTemperatureOfNoCurrent) {
   Probe probe(ThermometerRole::kShell);
   EXPECT_TRUE(probe.check.too_warm_to_arm()) << "not known yet";
   probe.reading.sample.celsius = model::kShellZeroC;
