@@ -201,6 +201,9 @@ WindingCircuit Controller::circuit() const noexcept {
 void Controller::record_trip(Reason reason) noexcept {
   last_trip_ = {reason, now_, hottest_c(), norm(pair_.after_a()), {}};
   if (reason == Reason::kMeasurementsDisagree) last_trip_.disagreement = disagreement_;
+  if (reason == Reason::kOverheated)
+    last_trip_.disagreement =
+        estimate_.contradicting_heat(observer_, watchdog_.supply(), limits_.trip_c);
 }
 
 void Controller::end_all(EndReason reason, EventList& events) noexcept {

@@ -125,6 +125,8 @@ class ThermalObserver {
   const WindingThermometer& winding(int coil) const noexcept {
     return thermometer_[static_cast<std::size_t>(coil)];
   }
+  /// Of the last step.
+  const ThermistorReadings& thermistors() const noexcept { return thermistors_; }
   /// True within 20 s of a start from unknown temperatures: no fault detection yet.
   bool settling() const noexcept { return settling_s_ > 0.0; }
 

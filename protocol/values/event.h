@@ -83,7 +83,7 @@ struct Event {
   // also state_changed by a trip: hottest temperature, if known, and current (always)
   std::optional<double> temperature_c{};
   std::optional<double> current_a{};
-  // state_changed by a trip with reason measurements_disagree
+  // state_changed by a trip with reason measurements_disagree or overheated
   std::optional<Disagreement> disagreement{};
 
   // device_attached, device_detached: "board" or "imu"

@@ -95,7 +95,7 @@ struct TripStatus {
   std::int64_t time_ns = 0;
   std::optional<double> temperature_c{};
   double current_a = 0.0;
-  std::optional<Disagreement> disagreement{};  // of measurements_disagree
+  std::optional<Disagreement> disagreement{};  // of measurements_disagree, overheated
   void describe(Fields& f);
   friend bool operator==(const TripStatus&, const TripStatus&) = default;
 };

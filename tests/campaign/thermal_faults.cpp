@@ -26,7 +26,6 @@ struct Options {
   double tolerance = 0.2;
   hedgehog::device::FrontEndChoice front_end;
   bool verbose = false;
-  bool ci = false;
 };
 
 struct Summary {
@@ -105,7 +104,6 @@ int main(int argc, char** argv) {
     const auto value = [&] { return i + 1 < argc ? std::strtoull(argv[++i], nullptr, 10) : 0; };
     if (word == "--ci") {
       options.random = 300;
-      options.ci = true;
     } else if (word == "--random") {
       options.random = value();
     } else if (word == "--every") {
@@ -152,15 +150,11 @@ int main(int argc, char** argv) {
   held = held && made.long_driven + random.long_driven == 0;
   const int stopped = made.stopped + random.stopped;
   const int hiding = made.hiding_stopped + random.hiding_stopped;
-  const bool most_named = 10 * (made.named + random.named) >= 9 * stopped;
+  held = held && 10 * (made.named + random.named) >= 9 * stopped;
   held = held && 10 * (made.hiding_detected + random.hiding_detected) >= 9 * hiding;
   std::printf("named: %.1f %% of all that stopped, %.1f %% of those that hide heat\n",
               100.0 * (made.named + random.named) / std::max(1, stopped),
               100.0 * (made.hiding_detected + random.hiding_detected) / std::max(1, hiding));
-  if (!most_named)
-    std::puts("NOT met, which is known (tests/thermal-campaigns.md): 90 % of all are named");
-  // The short form checks the requirements met so far; the long one checks all.
-  if (!options.ci) held = held && most_named;
   std::puts(held ? "held" : "NOT held");
   return held ? 0 : 1;
 }

@@ -15,10 +15,10 @@ constexpr int kDriven = 1;
 /// An observer with simulated inputs: a ball at rest, of which one winding carries 10 A.
 class Followed {
  public:
-  explicit Followed(double celsius) {
+  explicit Followed(double celsius, bool known = true) {
     model::ThermalStart start;
     start.nodes = {{celsius, celsius, celsius}, celsius};
-    start.known = true;
+    start.known = known;
     observer_ = model::ThermalObserver({}, {}, start);
     measurement_.electrical_valid = true;
     measurement_.supply_v = 12.0;
@@ -39,6 +39,9 @@ class Followed {
   }
   double winding_c() const { return observer_.filter().winding_c(kDriven); }
   const Disagreement& disagreement() const { return check_.disagreement(); }
+  Disagreement contradicting_heat() const {
+    return check_.contradicting_heat(observer_, supply_, 70.0);
+  }
 
  private:
   model::ThermalMeasurement measurement_;
@@ -106,6 +109,49 @@ TEST(EstimateCheck, ADeviatingThermistorIsNamed) {
   EXPECT_TRUE(ball.disagreement().has(Quantity::kThermistor));
   EXPECT_GE(ticks, 900) << "it must stay so for a second";
   EXPECT_LT(ticks, 2000);
+}
+
+const Disagreement kVoltageOverCurrent =
+    Disagreement{kDriven, Quantity::kResistance, Quantity::kHeatBalance}.with(Quantity::kCurrent);
+
+TEST(EstimateCheck, AVIOfHeatThatNoHeatExplainsIsContradicted) {
+  for (const auto& [shown_c, contradicted] : {std::pair{80.0, true}, {69.0, false}}) {
+    Followed ball(55.0);
+    for (int i = 0; i < 5000; ++i) ASSERT_EQ(name(ball.tick(8.0, ball.winding_c())), "none");
+    EXPECT_FALSE(ball.contradicting_heat().any());
+    for (int i = 0; i < 60; ++i) ball.tick(8.0, shown_c);
+    EXPECT_EQ(ball.contradicting_heat(), contradicted ? kVoltageOverCurrent : Disagreement{})
+        << shown_c;
+  }
+}
+
+TEST(EstimateCheck, AVIThatAgreesWithTheEstimateIsNotContradicted) {
+  Followed ball(70.0);
+  for (int i = 0; i < 100; ++i) ball.tick(8.0, ball.winding_c() + 2.0);
+  EXPECT_FALSE(ball.contradicting_heat().any());
+}
+
+TEST(EstimateCheck, AThermistorOfHeatIsContradictedByTheHeatBalance) {
+  for (const double other_c : {69.0, 71.0}) {
+    Followed ball(66.0);
+    ball.tick(0.0, 66.0);
+    ball.show(2, other_c);
+    ball.tick(0.0, 66.0);
+    EXPECT_EQ(ball.contradicting_heat(),
+              other_c < 70.0 ? Disagreement{}
+                             : (Disagreement{2, Quantity::kThermistor, Quantity::kHeatBalance}));
+  }
+  Followed warm(69.5);
+  warm.tick(0.0, 69.5);
+  warm.show(2, 71.0);
+  warm.tick(0.0, 69.5);
+  EXPECT_FALSE(warm.contradicting_heat().any()) << "1.5 K are within its tolerance";
+}
+
+TEST(EstimateCheck, AGuessedTemperatureContradictsNothing) {
+  Followed ball(25.0, false);
+  for (int i = 0; i < 60; ++i) ball.tick(5.0, 72.0);
+  EXPECT_FALSE(ball.contradicting_heat().any());
 }
 
 }  // namespace

@@ -103,6 +103,25 @@ TEST(SupplyBalance, NamesTheCurrentTooATenthOfASecondAfterItsGainHasChanged) {
   }
 }
 
+// An overheated reading trips within 50 ms.
+TEST(SupplyBalance, ByItsLastWindowItNamesAChangeOfFiftyMilliseconds) {
+  const auto moved = [](const Vec3& gain, double supply_v, double share) {
+    SupplyBench bench;
+    bench.run({0, 12, 0}, 10.0);
+    bench.gain = gain;
+    bench.supply_v = supply_v;
+    bench.run({0, 12, 0}, 0.05);
+    return bench.balance.moved(1, share, SupplyBalance::Since::kStart,
+                               SupplyBalance::By::kLastWindow);
+  };
+  EXPECT_EQ(moved({1.0, 1.0, 1.0}, 12.0, 0.1),
+            (Disagreement{1, Quantity::kResistance, Quantity::kHeatBalance}));
+  EXPECT_EQ(moved({1.0, 0.9, 1.0}, 12.0, 0.1),
+            (Disagreement{1, Quantity::kCurrent, Quantity::kSupplyCurrent}));
+  EXPECT_EQ(moved({1.0, 1.0, 1.0}, 13.2, 0.1),
+            (Disagreement{1, Quantity::kSupplyVoltage, Quantity::kHeatBalance}));
+}
+
 TEST(SupplyBalance, AQuantityThatMovedTheOtherWayIsNotExcluded) {
   const auto moved = [](double gain, double supply_v, double share) {
     SupplyBench bench;

@@ -162,7 +162,7 @@ void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& dut
   fan_duty_ = fan_.step(observer_.estimate().hottest_c, norm(m.current_a), kStepS) / 255.0;
   if (stop_.any()) return;
   if (sensor != Reason::kNone || heat != Reason::kNone) {
-    stop_ = {sensor != Reason::kNone ? sensor : heat, {}};
+    stop_.reason = sensor != Reason::kNone ? sensor : heat;
   } else if (current.any()) {
     stop_ = {Reason::kMeasurementsDisagree, current};
   } else if (fan != Reason::kNone) {
@@ -171,6 +171,8 @@ void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& dut
     stop_ = {estimate, estimate == Reason::kMeasurementsDisagree ? estimate_.disagreement()
                                                                  : control::Disagreement{}};
   }
+  if (stop_.reason == Reason::kOverheated)
+    stop_.disagreement = estimate_.contradicting_heat(observer_, supply_, model::Limits{}.trip_c);
 }
 
 std::string words(const Stop& stop) {

@@ -91,5 +91,31 @@ INSTANTIATE_TEST_SUITE_P(
                                                Quantity::kSupplyVoltage}),
                        ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
 
+/// Trips within 50 ms at 70 C by V/I, which is less than the contradictions' hold times.
+using AReadingThatSimulatesHeat = EachWrong;
+
+TEST_P(AReadingThatSimulatesHeat, StopsTheBallAndIsNamed) {
+  const auto& [wrong, coil, thermistors] = GetParam();
+  drive(55.0, wrong, coil);
+  expect_tripped(*rig, Reason::kOverheated);
+  expect_zero(*rig, 2);
+  const control::Disagreement found = rig->controller().last_trip().disagreement;
+  EXPECT_TRUE(found.has(wrong.named)) << words(rig::Stop{rig->controller().reason(), found});
+  EXPECT_EQ(found.coil(), coil);
+  const control::Event* tripped = rig->last(control::EventType::kStateChanged);
+  ASSERT_NE(tripped, nullptr);
+  EXPECT_EQ(tripped->disagreement, found);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sudden, AReadingThatSimulatesHeat,
+    ::testing::Combine(::testing::Values(Wrong{SimulatorErrorKind::kResistanceGain, 1.15, 0.0,
+                                               Quantity::kResistance},
+                                         Wrong{SimulatorErrorKind::kCurrentGain, 0.8, 0.0,
+                                               Quantity::kCurrent},
+                                         Wrong{SimulatorErrorKind::kSupplyGain, 1.1, 0.0,
+                                               Quantity::kSupplyVoltage}),
+                       ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
+
 }  // namespace
 }  // namespace hedgehog::safety

@@ -19,6 +19,8 @@ constexpr double kFallPerAmpereK = 12.0;
 constexpr double kBiases = 4.0;
 // With a thermistor offset beyond this, the thermistor may be the faulty one of the two.
 constexpr double kOddThermistorK = 1.2;
+// V/I that is higher than the filter expects by less does not contradict it.
+constexpr double kHeatShare = 0.01;
 
 }  // namespace
 
@@ -123,6 +125,36 @@ bool EstimateCheck::thermistor_off(Winding& w, const model::ThermalObserver& obs
       !innovations.thermistor.used && std::abs(innovations.thermistor.difference) > kThermistorK;
   const bool gated = w.thermistor.step(odd, dt_s, kThermistorHoldS);
   return gated || std::abs(observer.filter().thermistor_offset_k(coil)) > kThermistorOffsetK;
+}
+
+Disagreement EstimateCheck::contradicting_heat(const model::ThermalObserver& observer,
+                                               const SupplyBalance& supply,
+                                               double trip_c) const noexcept {
+  using Since = SupplyBalance::Since;
+  const model::ThermalFilter& filter = observer.filter();
+  const model::ThermistorReadings& thermistors = observer.thermistors();
+  if (observer.settling()) return {};
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    const double expected_c = filter.winding_c(coil);
+    const double deviation_k = 2.0 * filter.winding_deviation_k(coil);
+    const model::WindingThermometer& thermometer = observer.winding(coil);
+    if (thermometer.measuring() && thermometer.celsius() >= trip_c) {
+      const Winding& w = windings_[i];
+      const double drift = w.known ? filter.resistance_drift(coil) - w.resistance : 0.0;
+      const double share =
+          std::log(thermometer.resistance_ohm() / filter.resistance_ohm(coil)) + drift;
+      const double deviation = deviation_k / kelvins_per_share(model::Celsius(expected_c));
+      if (share > kHeatShare + deviation)
+        return supply.moved(coil, share, w.known ? Since::kStart : Since::kFile,
+                            SupplyBalance::By::kLastWindow);
+    }
+    const double excess_k = thermistors.celsius[i] - expected_c;
+    if (thermistors.valid[i] && thermistors.celsius[i] >= trip_c &&
+        excess_k > kThermistorK + deviation_k)
+      return {coil, Quantity::kThermistor, Quantity::kHeatBalance};
+  }
+  return {};
 }
 
 }  // namespace hedgehog::control

@@ -152,35 +152,38 @@ int SupplyBalance::worst() const noexcept {
 }
 
 void SupplyBalance::remember(const Row& derivative) noexcept {
-  const double supply_v =
-      model::open_voltage(window_.supply_v, window_.supply_a) / window_.readings;
-  double delivered_a = window_.supply_a / window_.readings;
+  last_.supply_v = model::open_voltage(window_.supply_v, window_.supply_a) / window_.readings;
+  last_.missing_a = window_.supply_a / window_.readings;
   const double share = std::min(1.0, kWindowS / kRememberedS);
-  if (mean_supply_v_ == 0.0) mean_supply_v_ = supply_v;
-  for (std::size_t i = 0; i < kCoils; ++i) delivered_a += derivative[i];
-  mean_missing_a_ += share * (delivered_a - mean_missing_a_);
-  mean_supply_v_ += share * (supply_v - mean_supply_v_);
+  if (mean_.supply_v == 0.0) mean_.supply_v = last_.supply_v;
+  for (std::size_t i = 0; i < kCoils; ++i) {
+    last_.part_a[i] = -derivative[i];
+    last_.missing_a += derivative[i];
+  }
+  mean_.missing_a += share * (last_.missing_a - mean_.missing_a);
+  mean_.supply_v += share * (last_.supply_v - mean_.supply_v);
   for (std::size_t i = 0; i < kCoils; ++i)
-    mean_part_a_[i] += share * (-derivative[i] - mean_part_a_[i]);
+    mean_.part_a[i] += share * (last_.part_a[i] - mean_.part_a[i]);
   if (observed_s_ > kFirstS) return;
   first_ = x_;
   for (int coil = 0; coil < kCoils; ++coil)
     first_deviation_[static_cast<std::size_t>(coil)] = gain_deviation(coil);
-  first_supply_v_ = mean_supply_v_;
+  first_supply_v_ = mean_.supply_v;
 }
 
-Disagreement SupplyBalance::moved(int coil, double share, Since since) const noexcept {
+Disagreement SupplyBalance::moved(int coil, double share, Since since, By by) const noexcept {
+  const Balance& now = by == By::kMeans ? mean_ : last_;
   const bool by_file = since == Since::kFile;
   // V/I changes with the measured voltage, and inversely with the current.
-  const double voltage = std::log(mean_supply_v_ / (by_file ? nominal_supply_v_ : first_supply_v_));
+  const double voltage = std::log(now.supply_v / (by_file ? nominal_supply_v_ : first_supply_v_));
   const double of_voltage = std::abs(voltage) > kNoticed ? voltage / share : 0.0;
-  double missing_a = mean_missing_a_;
+  double missing_a = now.missing_a;
   if (!by_file) {
     missing_a -= first_[kOffset];
-    for (std::size_t i = 0; i < kCoils; ++i) missing_a += first_[i] * mean_part_a_[i];
+    for (std::size_t i = 0; i < kCoils; ++i) missing_a += first_[i] * now.part_a[i];
   }
   const auto i = static_cast<std::size_t>(coil);
-  const double part_a = mean_part_a_[i];
+  const double part_a = now.part_a[i];
   const bool clear =
       part_a > kMinPartA && (by_file || first_deviation_[i] < kMinorShare * std::abs(share));
   const double of_current = clear ? missing_a / part_a / share : 0.5;

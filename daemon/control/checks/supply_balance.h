@@ -44,9 +44,10 @@ class SupplyBalance {
 
   /// V/I of winding `coil` has changed by `share` since the start, or deviates by it from the
   /// device file. Returns the quantity that changed, or the two between which it cannot
-  /// distinguish.
+  /// distinguish: by means over 0.3 s, or by the last window of 20 ms for a younger change.
   enum class Since : std::uint8_t { kStart, kFile };
-  Disagreement moved(int coil, double share, Since since) const noexcept;
+  enum class By : std::uint8_t { kMeans, kLastWindow };
+  Disagreement moved(int coil, double share, Since since, By by = By::kMeans) const noexcept;
 
   /// Share by which winding `coil` reads high against the supply current, and its standard
   /// deviation.
@@ -83,15 +84,18 @@ class SupplyBalance {
   Row derivative_{};
   FaultDebounce odd_, apart_;
 
-  // Recent means: supply current beyond the first gains, current by winding, supply voltage; and
-  // the first gains and voltage.
+  /// Supply current beyond the sum, the sum's parts by winding, and the supply's open voltage.
+  struct Balance {
+    double missing_a = 0.0;
+    std::array<double, model::kCoils> part_a{};
+    double supply_v = 0.0;
+  };
+
   double observed_s_ = 0.0;
   Row first_{};
   std::array<double, model::kCoils> first_deviation_{};
   double first_supply_v_ = 0.0;
-  double mean_missing_a_ = 0.0;
-  std::array<double, model::kCoils> mean_part_a_{};
-  double mean_supply_v_ = 0.0;
+  Balance mean_, last_;
 };
 
 }  // namespace hedgehog::control
