@@ -98,6 +98,48 @@ TEST(EstimateCheck, AFallBesideAThermistorWithAnOffsetNamesTheThermistorToo) {
   }
 }
 
+/// Ticks until a fall of V/I by `fall_k` at `current_a` is reported, `settled` ticks after the
+/// current was `before_a`.
+int ticks_until_fall_found(double before_a, double current_a, int settled, double fall_k) {
+  Followed ball(30.0);
+  const auto play = [&](double ampere, int ticks) {
+    for (int i = 0; i < ticks; ++i) ASSERT_EQ(name(ball.tick(ampere, ball.winding_c())), "none");
+  };
+  play(before_a, 6000);
+  play(current_a, settled);
+  const double fallen_c = ball.winding_c() - fall_k;
+  Reason found = Reason::kNone;
+  const int ticks = ticks_until_found([&] { return ball.tick(current_a, fallen_c); }, found);
+  EXPECT_EQ(name(found), "measurements_disagree");
+  return ticks;
+}
+
+// The filter rejects V/I for 0.3 s before that is reported.
+TEST(EstimateCheck, AFallBeyondItsThresholdIsFoundBeforeTheFilterRejectsVI) {
+  struct Case {
+    double current_a, fall_k;
+    int min_ticks, max_ticks;
+  };
+  for (const auto& [current_a, fall_k, min_ticks, max_ticks] : {Case{5.0, 7.5, 299, 299},
+                                                                {5.0, 9.5, 245, 253},
+                                                                {8.0, 7.0, 299, 299},
+                                                                {8.0, 8.0, 258, 266},
+                                                                {12.0, 7.0, 299, 299},
+                                                                {12.0, 13.0, 194, 200}}) {
+    const int ticks = ticks_until_fall_found(current_a, current_a, 0, fall_k);
+    EXPECT_GE(ticks, min_ticks) << current_a << " A, " << fall_k << " K";
+    EXPECT_LE(ticks, max_ticks) << current_a << " A, " << fall_k << " K";
+  }
+}
+
+TEST(EstimateCheck, AFallIsComparedAtTheSameCurrentOfHalfASecond) {
+  EXPECT_LT(ticks_until_fall_found(12.0 / 1.08, 12.0, 100, 9.0), 240) << "8 % are the same current";
+  const double other_a = 12.0 / 1.15;
+  EXPECT_EQ(ticks_until_fall_found(other_a, 12.0, 300, 9.0), 299) << "found by the filter";
+  EXPECT_NEAR(ticks_until_fall_found(other_a, 12.0, 400, 9.0), 250, 4);
+  EXPECT_LT(ticks_until_fall_found(other_a, 12.0, 550, 9.0), 220);
+}
+
 TEST(EstimateCheck, ADeviatingThermistorIsNamed) {
   Followed ball(30.0);
   for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none");

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// What the watchdog passes to its checks: times, skipped ticks, accuracies, and which currents
+// determine a resistance.
+#include <gtest/gtest.h>
+
+#include "tests/control/watched.h"
+
+namespace hedgehog::control {
+namespace {
+
+/// Frames of `every` ticks until the ball trips, at most 1000.
+int frames_until_trip(Watched& ball, model::Tick every) {
+  for (int frame = 1; frame <= 1000; ++frame) {
+    ball.fresh = false;
+    for (model::Tick i = 1; i < every; ++i) ball.step();
+    ball.fresh = true;
+    if (ball.step() != Reason::kNone) return frame;
+  }
+  return 0;
+}
+
+Watched with_stopped_fan() {
+  Watched ball;
+  ball.commanded.fan = 255;
+  ball.board.fan_rpm = 0.0;
+  return ball;
+}
+
+TEST(WatchdogReadings, AFrameCountsForTheTimeSinceTheLastUpToTwentyMilliseconds) {
+  for (const auto& [every, frames] : {std::pair{1, 3000}, {10, 300}, {20, 150}, {25, 150}}) {
+    Watched ball = with_stopped_fan();
+    ball.step();
+    int trip = 0;
+    for (int k = 0; k < 4 && trip == 0; ++k) {
+      const int found = frames_until_trip(ball, every);
+      trip = found == 0 ? 0 : 1000 * k + found;
+    }
+    EXPECT_NEAR(trip, frames, 1) << every;
+  }
+}
+
+TEST(WatchdogReadings, AGapOfTheLoopCountsAsTwentyMilliseconds) {
+  Watched ball = with_stopped_fan();
+  int steps = 1;
+  while (ball.step(25) == Reason::kNone && steps < 1000) ++steps;
+  EXPECT_EQ(steps, 150);
+}
+
+TEST(WatchdogReadings, AHotThermistorCountsForTheTimeSinceTheLastFrame) {
+  Watched ball;
+  ball.board.sensor_c = 69.0;
+  ball.step();
+  ball.board.sensor_c = 71.0;
+  EXPECT_EQ(frames_until_trip(ball, 10), 5);
+}
+
+TEST(WatchdogReadings, ACurrentCountsForTheTimeSinceTheLastFrame) {
+  Watched ball;
+  ball.step();
+  ball.board.current_a = {0.0, 0.0, 2.0};
+  EXPECT_EQ(frames_until_trip(ball, 4), 4);
+}
+
+TEST(WatchdogReadings, TheExpectedCurrentFollowsTheCommandThroughSkippedTicks) {
+  const Watched goal = driven({0, 12, 0}, 1.0);
+  Watched ball = driven({}, 1.0);
+  ball.run(100);
+  ball.commanded = goal.commanded;
+  ball.board.current_a = goal.board.current_a;
+  ball.board.duty = goal.board.duty;
+  for (int i = 0; i < 8; ++i) {
+    ball.board.sequence += 18;
+    EXPECT_EQ(name(ball.step(19)), "none") << i;
+  }
+}
+
+TEST(WatchdogReadings, ACurrentIsComparedWithTheBoardsOwnDutyToo) {
+  Watched ball = driven({0, 9, 0}, 1.0);
+  EXPECT_EQ(name(ball.run(100)), "none");
+  ball.board.duty = (6.0 / 9.0) * ball.board.duty;
+  ball.board.supply_current_known = false;
+  EXPECT_EQ(name(ball.run(100)), "current_mismatch");
+}
+
+TEST(WatchdogReadings, WhatBrakingBridgesReturnIsNotExpectedOfTheSupply) {
+  Watched ball = driven({0, 12, 0}, 1.0);
+  ball.commanded = {};
+  const auto duty = ball.board.duty;
+  const double supply_a = ball.board.supply_current_a;
+  for (int i = 0; i < 3000; ++i) {
+    const bool brakes = i % 4 == 3;
+    ball.board.duty = brakes ? -1.0 * duty : duty;
+    ball.board.supply_current_a = brakes ? 0.0 : supply_a;
+    ASSERT_NE(name(ball.step()), "measurements_disagree") << i;
+  }
+}
+
+TEST(WatchdogReadings, TheSupplyIsComparedWithinTheBoardsAccuracy) {
+  for (const auto& [accuracy, reason] : {std::pair{model::kInLineAccuracy, "measurements_disagree"},
+                                         {model::kDriverCsAccuracy, "none"}}) {
+    Watched ball = driven({0, 12, 0}, 0.94);
+    ball.board.accuracy = accuracy;
+    EXPECT_EQ(name(ball.run(10'000)), reason);
+  }
+}
+
+/// A rested ball of 25 C whose windings carry 4 A, with a reference of each winding at 8 A.
+struct Referenced : Watched {
+  explicit Referenced(const model::CurrentAccuracy& accuracy) : Watched(driven({8, 8, 8}, 1.0)) {
+    watchdog.start_rested();
+    board.thermistors = 3;
+    board.thermistor.fill({device::ThermistorState::kRead, 25.0});
+    board.accuracy = accuracy;
+    board.supply_current_known = false;
+    EXPECT_EQ(name(run(800)), "none");
+    const Watched weaker = driven({4, 4, 4}, 1.0);
+    commanded = weaker.commanded;
+    board.current_a = weaker.board.current_a;
+    board.duty = weaker.board.duty;
+    EXPECT_EQ(name(run(300)), "none");
+  }
+  /// V/I of winding x gives `celsius`.
+  void show(double celsius) {
+    const model::Ohms ohm = model::resistance_at(model::Ohms(0.45), model::Celsius(celsius));
+    board.duty.x = ohm.value * board.current_a.x / board.supply_v;
+  }
+};
+
+TEST(WatchdogReadings, VIIsHotByMoreThanTheErrorOfTheBoardsCurrents) {
+  for (const auto& [accuracy, shown_c, reason] :
+       {std::tuple{model::kInLineAccuracy, 76.0, "overheated"},
+        {model::kDriverCsAccuracy, 76.0, "none"},
+        {model::kDriverCsAccuracy, 88.0, "overheated"}}) {
+    Referenced ball(accuracy);
+    ball.show(shown_c);
+    EXPECT_EQ(name(ball.run(200)), reason) << shown_c;
+  }
+}
+
+TEST(WatchdogReadings, CurrentsThatChangeDirectionWithoutSignsDetermineNoResistance) {
+  for (const int kept : {10, 100}) {
+    Referenced ball(model::kDriverCsAccuracy);
+    ball.show(90.0);
+    ball.commanded = {};
+    Reason found = Reason::kNone;
+    for (int i = 1; i < 1000 && found != Reason::kOverheated; ++i) {
+      found = ball.step();
+      if (i % kept == 0) {
+        ball.board.current_a = -1.0 * ball.board.current_a;
+        ball.board.duty = -1.0 * ball.board.duty;
+      }
+    }
+    EXPECT_EQ(found == Reason::kOverheated, kept == 100) << kept;
+  }
+}
+
+TEST(WatchdogReadings, AThermistorIsComparedWithVIWithinTheErrorOfTheCurrents) {
+  // 4 A with the drivers' own sensors measure a winding within 5 K, which is not compared.
+  for (const auto& [accuracy, reason] : {std::pair{model::kInLineAccuracy, "sensor_disagrees"},
+                                         {model::kDriverCsAccuracy, "none"}}) {
+    Referenced ball(accuracy);
+    Reason found = Reason::kNone;
+    double shown_c = 25.0;
+    while (found == Reason::kNone && shown_c < 45.0) {
+      shown_c += 0.01;
+      ball.board.thermistor.fill({device::ThermistorState::kRead, shown_c});
+      found = ball.run(5);
+    }
+    EXPECT_EQ(name(found), reason);
+    EXPECT_GT(shown_c, 25.0 + ThermistorCheck::kDisagreeK + 1.0) << "the error of V/I is tolerated";
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::control
