@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What contradicts a reading at the trip temperature.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "tests/control/followed.h"
+
+namespace hedgehog::control {
+namespace {
+
+const Disagreement kResistance{kDriven, Quantity::kResistance, Quantity::kHeatBalance};
+const Disagreement kThermistor{2, Quantity::kThermistor, Quantity::kHeatBalance};
+
+/// A winding at `celsius` whose V/I then shows `shown_c` for 250 ms.
+Followed shown(double celsius, double shown_c) {
+  Followed ball(celsius);
+  ball.supply_known = true;
+  for (int i = 0; i < 5000; ++i) ball.tick(8.0, ball.winding_c());
+  for (int i = 0; i < 250; ++i) ball.tick(8.0, shown_c);
+  return ball;
+}
+
+TEST(ContradictingHeat, AVIAtTheTripThatNoHeatExplains) {
+  EXPECT_EQ(shown(55.0, 80.0).contradicting_heat(), kResistance);
+  EXPECT_FALSE(shown(55.0, 69.0).contradicting_heat().any()) << "is not at the trip";
+}
+
+TEST(ContradictingHeat, AVIWithinAPercentOfTheEstimateIsHeat) {
+  EXPECT_FALSE(shown(67.0, 71.5).contradicting_heat().any());
+  EXPECT_TRUE(shown(64.0, 71.0).contradicting_heat().any());
+}
+
+TEST(ContradictingHeat, OfAColderWindingThanExpectedThereIsNone) {
+  EXPECT_FALSE(shown(90.0, 72.0).contradicting_heat().any());
+}
+
+TEST(ContradictingHeat, WithoutTheSupplysCurrentItNamesTheCurrentToo) {
+  Followed ball(55.0);
+  for (int i = 0; i < 5000; ++i) ball.tick(8.0, ball.winding_c());
+  for (int i = 0; i < 60; ++i) ball.tick(8.0, 80.0);
+  EXPECT_EQ(ball.contradicting_heat(), kResistance.with(Quantity::kCurrent));
+}
+
+TEST(ContradictingHeat, AHigherResistanceOfTheColdStartIsNoHeat) {
+  Followed ball(70.0);
+  ball.r25_gain = 1.03;
+  for (int i = 0; i < 3000; ++i) ball.tick(8.0, ball.winding_c());
+  EXPECT_FALSE(ball.contradicting_heat().any());
+}
+
+TEST(ContradictingHeat, AChangeIsRelativeToTheSupplyAtTheStart) {
+  const auto found = [](int ticks, double supply_v) {
+    Followed ball(60.0);
+    ball.supply_known = true;
+    ball.supply_v = supply_v;
+    for (int i = 0; i < ticks; ++i) ball.tick(8.0, 60.0);
+    for (int i = 0; i < 60; ++i) ball.tick(8.0, 78.0);
+    return ball.contradicting_heat();
+  };
+  EXPECT_EQ(found(6000, 12.3), kResistance);
+  EXPECT_EQ(found(60, 12.3), kResistance.with(Quantity::kSupplyVoltage))
+      << "12 V of the device file are all that is known";
+}
+
+TEST(ContradictingHeat, AThermistorAtTheTripThatNoHeatExplains) {
+  const auto found = [](double celsius, double other_c) {
+    Followed ball(celsius);
+    ball.tick(0.0, celsius);
+    ball.show(2, other_c);
+    ball.tick(0.0, celsius);
+    return ball.contradicting_heat();
+  };
+  EXPECT_FALSE(found(66.0, 69.9).any());
+  EXPECT_EQ(found(66.0, 70.0), kThermistor);
+  EXPECT_FALSE(found(67.6, 70.2).any()) << "2.6 K are within its tolerance and the estimate's";
+  EXPECT_EQ(found(66.6, 70.2), kThermistor);
+}
+
+TEST(ContradictingHeat, AGuessedTemperatureContradictsNothing) {
+  Followed ball(25.0, false);
+  for (int i = 0; i < 60; ++i) ball.tick(5.0, 72.0);
+  EXPECT_FALSE(ball.contradicting_heat().any());
+}
+
+}  // namespace
+}  // namespace hedgehog::control
