@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "model/random_stream.h"
 #include "model/tick.h"
@@ -26,6 +27,7 @@ struct SupplyBench {
   double supply_gain = 1.0;
   double supply_offset_a = 0.0;
   double supply_v = 12.0;
+  model::CurrentAccuracy accuracy = model::kInLineAccuracy;
 
   /// The first disagreement within `seconds`, or none.
   Disagreement run(const Vec3& current_a, double seconds) {
@@ -33,7 +35,7 @@ struct SupplyBench {
     for (int i = 0; i < ticks; ++i) {
       SupplyReading reading;
       reading.known = true;
-      reading.accuracy = model::kInLineAccuracy;
+      reading.accuracy = accuracy;
       reading.duty = (0.45 / 12.0) * current_a;
       reading.supply_current_a =
           supply_gain * dot(reading.duty, current_a) + supply_offset_a + 0.02 * random.gaussian();
@@ -68,6 +70,36 @@ TEST(SupplyBalance, NamesAWindingWhoseCurrentReadsTenPercentHigh) {
     const Disagreement found = bench.run(along, 2.0);
     EXPECT_EQ(found, (Disagreement{coil, Quantity::kCurrent, Quantity::kSupplyCurrent}));
   }
+}
+
+TEST(SupplyBalance, AGainIsFoundWhenItExceedsTheToleranceByTwoDeviations) {
+  for (const auto& [gain, found] : {std::pair{1.054, false}, {1.062, true}}) {
+    SupplyBench bench;
+    bench.gain[1] = gain;
+    EXPECT_EQ(bench.run({0, 12, 0}, 60.0).any(), found) << gain;
+  }
+}
+
+TEST(SupplyBalance, ToleratesMoreOfSensorsWithoutZeroing) {
+  for (const auto& [gain, found] : {std::pair{0.95, false}, {0.92, true}}) {
+    SupplyBench bench;
+    bench.accuracy = model::kDriverCsAccuracy;
+    bench.gain[1] = gain;
+    EXPECT_EQ(bench.run({0, 12, 0}, 60.0).any(), found) << gain;
+  }
+}
+
+TEST(SupplyBalance, AVoltageThatHasHardlyChangedExplainsNoSmallChange) {
+  SupplyBench bench;
+  bench.run({0, 12, 0}, 10.0);
+  bench.supply_v = 12.0 * 1.0035;
+  bench.run({0, 12, 0}, 2.0);
+  EXPECT_FALSE(
+      bench.balance.moved(1, 0.01, SupplyBalance::Since::kStart).has(Quantity::kSupplyVoltage));
+  bench.supply_v = 12.0 * 1.006;
+  bench.run({0, 12, 0}, 2.0);
+  EXPECT_TRUE(
+      bench.balance.moved(1, 0.01, SupplyBalance::Since::kStart).has(Quantity::kSupplyVoltage));
 }
 
 TEST(SupplyBalance, NamesWhatElseHasMovedWithVI) {
