@@ -73,10 +73,27 @@ TEST(SupplyBalance, NamesAWindingWhoseCurrentReadsTenPercentHigh) {
 }
 
 TEST(SupplyBalance, AGainIsFoundWhenItExceedsTheToleranceByTwoDeviations) {
-  for (const auto& [gain, found] : {std::pair{1.054, false}, {1.062, true}}) {
-    SupplyBench bench;
-    bench.gain[1] = gain;
-    EXPECT_EQ(bench.run({0, 12, 0}, 60.0).any(), found) << gain;
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    for (const auto& [gain, found] : {std::pair{1.054, false}, {1.062, true}}) {
+      SupplyBench bench;
+      bench.gain[coil] = gain;
+      Vec3 along;
+      along[coil] = 12.0;
+      EXPECT_EQ(bench.run(along, 60.0),
+                found ? (Disagreement{coil, Quantity::kCurrent, Quantity::kSupplyCurrent})
+                      : Disagreement{})
+          << coil << ", " << gain;
+    }
+  }
+}
+
+TEST(SupplyBalance, AnOffsetOfTheSupplysCurrentIsNoGain) {
+  SupplyBench bench;
+  bench.supply_offset_a = 0.08;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(bench.run({4, 0, 0}, 5.0).any());
+    EXPECT_FALSE(bench.run({0, 12, 0}, 5.0).any());
+    EXPECT_FALSE(bench.run({0, 5, 9}, 5.0).any());
   }
 }
 

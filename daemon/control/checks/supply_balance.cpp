@@ -123,8 +123,8 @@ Disagreement SupplyBalance::check(double dt_s) noexcept {
     update(alike(before, derivative) ? before : derivative, kCorrelated * systematic, difference_a);
   observed_s_ += dt_s;
   const int candidate = worst();
-  const double certain = std::abs(gain(candidate)) - 2.0 * gain_deviation(candidate);
-  const bool apart = apart_.step(certain > kGain + (coarse ? kCoarseGain : 0.0), dt_s, kGainHoldS);
+  const double max_gain = kGain + (coarse ? kCoarseGain : 0.0);
+  const bool apart = apart_.step(certain_gain(candidate) > max_gain, dt_s, kGainHoldS);
   if (!stays_odd && !apart) return {};
   const auto most = std::min_element(derivative.begin(), derivative.begin() + kCoils);
   const int coil = apart ? candidate : static_cast<int>(most - derivative.begin());
@@ -142,19 +142,21 @@ void SupplyBalance::update(const Row& derivative, double variance, double differ
   }
 }
 
+double SupplyBalance::certain_gain(int coil) const noexcept {
+  return std::abs(gain(coil)) - 2.0 * gain_deviation(coil);
+}
+
 int SupplyBalance::worst() const noexcept {
   int found = 0;
-  for (int coil = 1; coil < kCoils; ++coil) {
-    const double here = std::abs(gain(coil)) - 2.0 * gain_deviation(coil);
-    if (here > std::abs(gain(found)) - 2.0 * gain_deviation(found)) found = coil;
-  }
+  for (int coil = 1; coil < kCoils; ++coil)
+    if (certain_gain(coil) > certain_gain(found)) found = coil;
   return found;
 }
 
 void SupplyBalance::remember(const Row& derivative) noexcept {
   last_.supply_v = model::open_voltage(window_.supply_v, window_.supply_a) / window_.readings;
   last_.missing_a = window_.supply_a / window_.readings;
-  const double share = std::min(1.0, kWindowS / kRememberedS);
+  constexpr double share = kWindowS / kRememberedS;
   if (mean_.supply_v == 0.0) mean_.supply_v = last_.supply_v;
   for (std::size_t i = 0; i < kCoils; ++i) {
     last_.part_a[i] = -derivative[i];

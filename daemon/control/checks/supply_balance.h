@@ -73,6 +73,9 @@ class SupplyBalance {
 
   Disagreement check(double dt_s) noexcept;
   void update(const Row& derivative, double variance, double difference_a) noexcept;
+  /// Magnitude of the gain difference less two standard deviations, and the winding with the
+  /// highest.
+  double certain_gain(int coil) const noexcept;
   int worst() const noexcept;
   void remember(const Row& derivative) noexcept;
 
