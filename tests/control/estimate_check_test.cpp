@@ -91,6 +91,21 @@ TEST(EstimateCheck, AFallIsComparedAtTheSameCurrentOfHalfASecond) {
   EXPECT_LT(ticks_until_fall_found(other_a, 12.0, 550, 9.0), 220);
 }
 
+TEST(EstimateCheck, AWindingThatCooledWhileTheBridgesSleptHasNotFallen) {
+  Followed ball(30.0);
+  for (int i = 0; i < 12'000; ++i) {
+    ball.show(kDriven, 30.0 + 0.001 * i);
+    ASSERT_EQ(name(ball.tick(12.0, ball.winding_c())), "none") << i;
+  }
+  const double warm_c = ball.winding_c();
+  for (int i = 0; i < 200'000; ++i) {
+    ball.show(kDriven, ball.winding_c());
+    ASSERT_EQ(name(ball.sleep()), "none") << i;
+  }
+  ASSERT_LT(ball.winding_c(), warm_c - 6.0);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(name(ball.tick(12.0, ball.winding_c())), "none") << i;
+}
+
 TEST(EstimateCheck, VIThatIsRejectedBetweenPausesOnlyDoesNotAddUp) {
   Followed ball(30.0);
   for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(8.0, ball.winding_c())), "none");

@@ -17,7 +17,6 @@ class Followed {
     start.nodes = {{celsius, celsius, celsius}, celsius};
     start.known = known;
     observer_ = model::ThermalObserver({}, {}, start);
-    measurement_.electrical_valid = true;
     measurement_.supply_v = 12.0;
     measurement_.thermistors.celsius.fill(celsius);
     measurement_.thermistors.valid.fill(true);
@@ -31,12 +30,20 @@ class Followed {
 
   /// A tick in which V/I gives the resistance at `shown_c`.
   Reason tick(double current_a, double shown_c) {
+    measurement_.electrical_valid = true;
     const double ohm =
         r25_gain * model::resistance_at(model::Ohms(0.45), model::Celsius(shown_c)).value;
     measurement_.current_before_a[kDriven] = measurement_.current_a[kDriven] = current_a;
     measurement_.voltage_v[kDriven] = current_a * ohm;
     observer_.step(measurement_);
     if (supply_known) step_supply();
+    return check_.step(observer_, supply_, 70.0, model::kTickSeconds);
+  }
+  /// A tick with sleeping bridges.
+  Reason sleep() {
+    measurement_.electrical_valid = false;
+    measurement_.current_before_a = measurement_.current_a = measurement_.voltage_v = {};
+    observer_.step(measurement_);
     return check_.step(observer_, supply_, 70.0, model::kTickSeconds);
   }
   void show(int coil, double celsius) {

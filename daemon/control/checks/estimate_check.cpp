@@ -67,7 +67,6 @@ EstimateCheck::Move EstimateCheck::detect_fall(Winding& w,
   const bool clear = thermometer.measuring() && thermometer.referenced();
   if (!clear || thermometer.noise_k() > kFallK) {
     w.steady = false;
-    w.fall.step(false, dt_s, kFallHoldS);
     return {};
   }
   const double celsius = thermometer.celsius();
@@ -79,8 +78,8 @@ EstimateCheck::Move EstimateCheck::detect_fall(Winding& w,
     w.smooth_c = w.mean_c = celsius;
   }
   w.steady_s += dt_s;
-  w.smooth_c += (celsius - w.smooth_c) * std::min(1.0, dt_s / kSmoothS);
-  w.mean_c += (w.smooth_c - w.mean_c) * std::min(1.0, dt_s / kMeanS);
+  w.smooth_c += (celsius - w.smooth_c) * (dt_s / kSmoothS);
+  w.mean_c += (w.smooth_c - w.mean_c) * (dt_s / kMeanS);
   const double max_k = kFallK + kBiases * thermometer.bias_k() + kFallPerAmpereK / current_a;
   const bool falls = w.steady_s > kSteadyAfterS && w.mean_c - w.smooth_c > max_k;
   const double share = (w.smooth_c - w.mean_c) / kelvins_per_share(model::Celsius(w.mean_c));
