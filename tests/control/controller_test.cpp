@@ -117,6 +117,11 @@ TEST(Commands, AppliedSequenceGainAndLimits) {
   rig.run(300);
   EXPECT_EQ(rig.snapshot().gain, 0.5);
   EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
+  for (const double gain : {0.0, 1.0, 0.5}) {
+    rig.command(SetGain{gain});
+    rig.run(1);
+    EXPECT_EQ(rig.snapshot().gain, gain);
+  }
   limits.trip_c = 90.0;  // beyond the device file
   limits.current_a = 10.0;
   rig.command(SetLimits{limits});

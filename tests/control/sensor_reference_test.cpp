@@ -113,7 +113,7 @@ TEST(SensorReference, Fan) {
       reading.fresh = row % 3 != 2 || tick / 80 % 3 != 1;
       constexpr double kSlow = 3.0;
       check.follow(reading, kSlow * kReferenceDtS);
-      out.add(reading.fresh ? check.step(reading.duty, reading.rpm, kSlow * kReferenceDtS)
+      out.add(reading.fresh ? check.step(reading.duty > 0.0, reading.rpm, kSlow * kReferenceDtS)
                             : Reason::kNone);
       out.add("cooling", check.cooling() ? 1.0 : 0.0);
       out.add("works", check.works() ? 1.0 : 0.0);

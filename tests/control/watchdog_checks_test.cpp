@@ -147,16 +147,16 @@ TEST(CurrentCheck, LostFramesDoNotStopTheClock) {
 TEST(FanCheck, ThreeSecondsWithoutATurn) {
   FanCheck check;
   for (int i = 0; i < 10'000; ++i)
-    ASSERT_EQ(check.step(0.0, 0.0, model::kTickSeconds), Reason::kNone);
+    ASSERT_EQ(check.step(false, 0.0, model::kTickSeconds), Reason::kNone);
   for (int i = 0; i < 2999; ++i)
-    ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
-  EXPECT_EQ(name(check.step(1.0, 0.0, model::kTickSeconds)), "fan_stopped");
+    ASSERT_EQ(check.step(true, 0.0, model::kTickSeconds), Reason::kNone);
+  EXPECT_EQ(name(check.step(true, 0.0, model::kTickSeconds)), "fan_stopped");
   check.reset();
   for (int i = 0; i < 2000; ++i)
-    ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
-  check.step(1.0, 400.0, model::kTickSeconds);
+    ASSERT_EQ(check.step(true, 0.0, model::kTickSeconds), Reason::kNone);
+  check.step(true, 400.0, model::kTickSeconds);
   for (int i = 0; i < 2999; ++i)
-    ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
+    ASSERT_EQ(check.step(true, 0.0, model::kTickSeconds), Reason::kNone);
 }
 
 TEST(BoardCheck, AliveUntilAHundredTicksOfSilence) {

@@ -46,6 +46,26 @@ TEST(WatchdogReadings, AGapOfTheLoopCountsAsTwentyMilliseconds) {
   EXPECT_EQ(steps, 150);
 }
 
+TEST(WatchdogReadings, AFanCoolsAfterHalfASecondOfTelemetry) {
+  for (const int every : {1, 10, 20}) {
+    Watched ball;
+    ball.board.fan_duty = 1.0;
+    ball.board.fan_rpm = model::ThermalModel{}.fan_full_rpm;
+    ball.step();
+    int ms = 0;
+    for (; !ball.watchdog.fan().cooling() && ms < 5000; ++ms) {
+      ball.fresh = ms % every == every - 1;
+      ball.step();
+    }
+    EXPECT_NEAR(ms, 500, every) << every;
+    ball.fresh = false;
+    ball.run(95);
+    EXPECT_TRUE(ball.watchdog.fan().cooling()) << every;
+    ball.run(10);
+    EXPECT_FALSE(ball.watchdog.fan().cooling()) << every;
+  }
+}
+
 TEST(WatchdogReadings, AHotThermistorCountsForTheTimeSinceTheLastFrame) {
   Watched ball;
   ball.board.sensor_c = 69.0;

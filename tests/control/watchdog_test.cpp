@@ -127,6 +127,8 @@ TEST(Watchdog, ABrokenWireCountsByTheBoardsFaultOrByTheReading) {
     ball.board.faults = static_cast<std::uint16_t>(fault);
     ball.step();
     EXPECT_EQ(ball.watchdog.arming_blocker(), named);
+    const auto own = static_cast<std::size_t>(model::ThermalModel{}.sensor_winding);
+    EXPECT_FALSE(ball.watchdog.thermistors().valid[own]) << "although it reads 25 C";
     ball.board.mode = device::BoardMode::kLatched;
     ball.run(100);
     EXPECT_EQ(ball.watchdog.arming_blocker(), Reason::kNone) << "the wire was broken and is whole";

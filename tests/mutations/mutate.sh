@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Changes one operator, constant or statement of the safety code at a time and requires a failing test. Needs `make dev`.
-# mutate.sh [--changed [BASE]] [--file TEXT]... [--every N] [--most N] [--seconds S] [--list]
+# mutate.sh [--changed [BASE]] [--again] [--file TEXT]... [--every N] [--most N] [--seconds S] [--list]
 #   --changed  only lines that differ from BASE (default: the merge base with origin/main, else HEAD~1), and, unless given
 #              otherwise, 40 mutants and 180 seconds at most
+#   --again    only those that survived or were left the last time
 #   --file     only files whose path contains TEXT; may be repeated
 #   --every    every N-th mutant
 #   --most     at most N mutants, drawn at random with the commit as the seed
@@ -14,7 +15,7 @@
 set -euo pipefail
 
 usage() {
-  sed -nE '4,11s/^# ?//p' "${BASH_SOURCE[0]}" >&2
+  sed -nE '4,12s/^# ?//p' "${BASH_SOURCE[0]}" >&2
   exit 64
 }
 number() {
@@ -22,13 +23,14 @@ number() {
   printf '%s' "$1"
 }
 
-changed='' base='' every=1 most='' seconds='' list='' wanted=()
+changed='' again='' base='' every=1 most='' seconds='' list='' wanted=()
 while [ $# -gt 0 ]; do
   case $1 in
     --changed)
       changed=1
       if [ $# -gt 1 ] && [[ $2 != --* ]]; then base=$2; shift; fi
       ;;
+    --again) again=1 ;;
     --file) [ $# -gt 1 ] || usage; wanted+=("$2"); shift ;;
     --every) every=$(number "${2-}"); shift ;;
     --most) most=$(number "${2-}"); shift ;;
@@ -53,6 +55,8 @@ else
   exec 9>build/.lock-mutations
   flock -n 9 || { echo "mutations: others are being judged here" >&2; exit 70; }
 fi
+# Of the last run: file, text, mutation, text before.
+last=$(awk -F '\t' '$1 == "survived" || $1 == "left" { print $3 FS $11 FS $10 FS $12 }' build/mutations/results 2>/dev/null || true)
 rm -rf "$work"
 mkdir -p "$work"
 # Objects of mutants are used once only, so they are not cached.
@@ -104,6 +108,12 @@ keep() { mv "$work/kept" "$work/selected"; }
 if [ -n "$changed" ]; then
   changed_lines >"$work/changed"
   awk -F '\t' 'FILENAME == ARGV[1] { on[$0]; next } ($1 FS $4) in on' "$work/changed" "$work/selected" >"$work/kept"
+  keep
+fi
+if [ -n "$again" ]; then
+  printf '%s\n' "$last" >"$work/last"
+  awk -F '\t' 'FILENAME == ARGV[1] { last[$0]; next } ($1 FS $9 FS $8 FS $10) in last' \
+    "$work/last" "$work/selected" >"$work/kept"
   keep
 fi
 if [ ${#wanted[@]} -gt 0 ]; then

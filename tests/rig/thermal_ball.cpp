@@ -118,7 +118,7 @@ void ThermalBall::step(const Vec3& peak_a, double rms) noexcept {
   m.fan_running = fan_check_.cooling();
   const double supply_a = now.shunt_gain * drawn_a + now.shunt_offset_a +
                           now.shunt_noise_a / kAveraged * random_.gaussian();
-  run_checks(m, duty, supply_a, supply_read_v, fan_check_.step(fan_duty_, rpm, kStepS));
+  run_checks(m, duty, supply_a, supply_read_v, fan_check_.step(fan_duty_ > 0.0, rpm, kStepS));
 }
 
 void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& duty,

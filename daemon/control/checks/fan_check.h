@@ -38,10 +38,10 @@ class FanCheck {
   FanCheck() noexcept = default;
   explicit FanCheck(double full_rpm) noexcept : full_rpm_(full_rpm) {}
 
-  /// Advances by `dt_s`, with the commanded duty (0..1) and the tachometer reading of fresh
+  /// Advances by `dt_s`: whether the fan is commanded to turn, and the tachometer reading of fresh
   /// telemetry.
-  Reason step(double commanded_duty, double rpm, double dt_s) noexcept {
-    const bool stalled = commanded_duty > 0.0 && !(rpm >= kMinRpm);
+  Reason step(bool commanded, double rpm, double dt_s) noexcept {
+    const bool stalled = commanded && !(rpm >= kMinRpm);
     if (!stalled) stalled_.reset();  // one turn proves that it is not seized
     due_ = stalled_.step(stalled, dt_s, kHoldS);
     return due_ ? Reason::kFanStopped : Reason::kNone;

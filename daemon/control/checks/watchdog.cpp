@@ -141,18 +141,18 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   if (supply.any()) disagreement_ = supply;
   fan_.follow({in.fresh, board.fan_duty, board.fan_rpm}, in.fresh ? since_s : dt_s);
   const Reason fan =
-      in.fresh ? fan_.step(in.commanded.fan / 255.0, board.fan_rpm, since_s) : Reason::kNone;
+      in.fresh ? fan_.step(in.commanded.fan > 0, board.fan_rpm, since_s) : Reason::kNone;
   const Reason thermometer = thermometer_.step(
       {in.thermometer, in.now, sensor_.usable(), thermistor.sensor_c, in.trip_c}, dt_s);
 
   // The cause before its consequences: a broken bridge also causes a wrong current.
-  const std::array<Reason, 7> found{board_.fault(),
-                                    sensor,
-                                    heat,
-                                    current,
-                                    supply.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
-                                    fan,
-                                    thermometer};
+  const std::array found{board_.fault(),
+                         sensor,
+                         heat,
+                         current,
+                         supply.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
+                         fan,
+                         thermometer};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Reason reason = found[i];
     // A board keeps its latch until it is armed.
