@@ -47,7 +47,6 @@ void Controller::on_ball_replaced() noexcept {
   if (states_.armed()) record_trip(Reason::kStateLost);
   states_.trip_state_lost(now_);
   settings_.start_known = false;
-  settings_.start_measured = {};
   estimate_ = EstimateCheck();
   watchdog_.reset_windings(settings_.coils, settings_.thermal);
   observing_ = false;

@@ -110,8 +110,8 @@ TEST(EstimateCheck, VIThatIsRejectedBetweenPausesOnlyDoesNotAddUp) {
   Followed ball(30.0);
   for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(8.0, ball.winding_c())), "none");
   for (int pulse = 0; pulse < 8; ++pulse) {
-    for (int i = 0; i < 200; ++i) ASSERT_EQ(name(ball.tick(8.0, ball.winding_c() + 9.0)), "none");
-    for (int i = 0; i < 1000; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none") << pulse;
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(name(ball.tick(8.0, ball.winding_c() + 20.0)), "none");
+    for (int i = 0; i < 1100; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none") << pulse;
   }
 }
 
