@@ -10,7 +10,6 @@ namespace hedgehog::control {
 namespace {
 
 const Disagreement kResistance{kDriven, Quantity::kResistance, Quantity::kHeatBalance};
-const Disagreement kThermistor{2, Quantity::kThermistor, Quantity::kHeatBalance};
 
 /// A winding at `celsius` whose V/I then shows `shown_c` for 250 ms.
 Followed shown(double celsius, double shown_c) {
@@ -64,17 +63,20 @@ TEST(ContradictingHeat, AChangeIsRelativeToTheSupplyAtTheStart) {
 }
 
 TEST(ContradictingHeat, AThermistorAtTheTripThatNoHeatExplains) {
-  const auto found = [](double celsius, double other_c) {
-    Followed ball(celsius);
-    ball.tick(0.0, celsius);
-    ball.show(2, other_c);
-    ball.tick(0.0, celsius);
-    return ball.contradicting_heat();
-  };
-  EXPECT_FALSE(found(66.0, 69.9).any());
-  EXPECT_EQ(found(66.0, 70.0), kThermistor);
-  EXPECT_FALSE(found(67.6, 70.2).any()) << "2.6 K are within its tolerance and the estimate's";
-  EXPECT_EQ(found(66.6, 70.2), kThermistor);
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto found = [&](double celsius, double other_c) {
+      Followed ball(celsius);
+      ball.tick(0.0, celsius);
+      ball.show(coil, other_c);
+      ball.tick(0.0, celsius);
+      return ball.contradicting_heat();
+    };
+    const Disagreement thermistor{coil, Quantity::kThermistor, Quantity::kHeatBalance};
+    EXPECT_FALSE(found(66.0, 69.9).any());
+    EXPECT_EQ(found(66.0, 70.0), thermistor);
+    EXPECT_FALSE(found(67.6, 70.2).any()) << "2.6 K are within its tolerance and the estimate's";
+    EXPECT_EQ(found(66.6, 70.2), thermistor);
+  }
 }
 
 TEST(ContradictingHeat, AGuessedTemperatureContradictsNothing) {

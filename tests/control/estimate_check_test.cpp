@@ -128,5 +128,17 @@ TEST(EstimateCheck, ADeviatingThermistorIsNamed) {
   EXPECT_LT(ticks, 2000);
 }
 
+TEST(EstimateCheck, ADeviatingThermistorThatIsLostDoesNotAddUp) {
+  Followed ball(30.0);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none");
+  ball.show(2, 50.0);
+  for (int times = 0; times < 4; ++times) {
+    ball.set_thermistor(2, true);
+    for (int i = 0; i < 800; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none") << times;
+    ball.set_thermistor(2, false);
+    for (int i = 0; i < 2000; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none") << times;
+  }
+}
+
 }  // namespace
 }  // namespace hedgehog::control

@@ -49,6 +49,9 @@ class Followed {
   void show(int coil, double celsius) {
     measurement_.thermistors.celsius[static_cast<std::size_t>(coil)] = celsius;
   }
+  void set_thermistor(int coil, bool valid) {
+    measurement_.thermistors.valid[static_cast<std::size_t>(coil)] = valid;
+  }
   double winding_c() const { return observer_.filter().winding_c(kDriven); }
   const Disagreement& disagreement() const { return check_.disagreement(); }
   Disagreement contradicting_heat() const {

@@ -140,9 +140,7 @@ Disagreement EstimateCheck::contradicting_heat(const model::ThermalObserver& obs
     const model::WindingThermometer& thermometer = observer.winding(coil);
     if (thermometer.measuring() && thermometer.celsius() >= trip_c) {
       const Winding& w = windings_[i];
-      const double drift = w.known ? filter.resistance_drift(coil) - w.resistance : 0.0;
-      const double share =
-          std::log(thermometer.resistance_ohm() / filter.resistance_ohm(coil)) + drift;
+      const double share = std::log(thermometer.resistance_ohm() / filter.resistance_ohm(coil));
       const double deviation = deviation_k / kelvins_per_share(model::Celsius(expected_c));
       if (share > kHeatShare + deviation)
         return supply.moved(coil, share, w.known ? Since::kStart : Since::kFile,
