@@ -72,12 +72,12 @@ TEST(Trips, AGainOfACurrentThatTheSupplyContradictsIsNamed) {
   device::SimulatorErrorList errors;
   errors.generation = 1;
   errors.count = 1;
-  errors.error[0] = {device::SimulatorErrorKind::kCurrentGain, 2, 1.1, 0.0};
+  errors.error[0] = {device::SimulatorErrorKind::kCurrentGain, 2, 1.07, 0.0};
   rig.board().set_errors(errors);
   rig.run_until_armed();
-  const auto effect = rig.start(rig::hold({0, 0, 1}, 8.0));
+  const auto effect = rig.start(rig::hold({0, 0, 1}, 12.0));
   for (int s = 0; s < 20 && rig.controller().state() == State::kArmed; ++s) {
-    rig.update(effect, rig::hold({0, 0, 1}, 8.0));
+    rig.update(effect, rig::hold({0, 0, 1}, 12.0));
     rig.run(1000);
   }
   EXPECT_EQ(name(rig.controller().reason()), "measurements_disagree");

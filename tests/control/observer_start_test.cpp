@@ -2,7 +2,10 @@
 // The temperatures from which the controller's estimate starts: saved ones, or the thermistor's.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/control/controlled.h"
+#include "tests/rig/rig.h"
 
 namespace hedgehog::control {
 namespace {
@@ -79,6 +82,40 @@ TEST(ObserverStart, AnotherBallStartsAtTheThermistor) {
   EXPECT_EQ(found.nodes.winding_c, (std::array<double, 3>{25.0, 25.0, 25.0}));
   EXPECT_EQ(found.measured, (std::array<bool, 3>{}));
   EXPECT_GT(found.deviation_k[0], 10.0) << "a guess";
+}
+
+TEST(ObserverStart, TheResistancesOfTheBallBeforeAreForgotten) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  const auto play = [&](int seconds) {
+    const auto effect = rig.start(rig::hold({1, 1, 1}, 12.0));
+    for (int s = 0; s < seconds; ++s) {
+      rig.update(effect, rig::hold({1, 1, 1}, 12.0));
+      rig.run(1000);
+    }
+    rig.stop(effect);
+  };
+  play(10);
+  device::SimulatedBoardOptions other;
+  for (double& ohm : other.plant.r25_ohm) ohm *= 1.07;
+  rig.board() = device::SimulatedBoard(other);
+  rig.command(ResetBall{});
+  rig.run_s(60.0);
+  rig.arm();
+  rig.run(20);
+  ASSERT_EQ(name(rig.controller().state()), "armed");
+  play(20);
+  EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
+}
+
+TEST(ObserverInputs, AThermistorThatIsNotConvertedMeasuresNothing) {
+  Controlled ball(saved({{25.0, 25.0, 25.0}, 25.0}));
+  ball.run(100);
+  ball.converting = false;
+  ball.run(240);
+  EXPECT_LT(ball.controller.thermal().hottest_c, 40.0);
+  ball.run(150);
+  EXPECT_EQ(ball.controller.thermal().hottest_c, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
