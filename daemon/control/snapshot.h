@@ -62,7 +62,7 @@ struct Trip {
   model::Tick tick = -1;
   double temperature_c = 0.0;
   double current_a = 0.0;
-  /// Of kMeasurementsDisagree; of kOverheated if a measurement contradicts the heat.
+  /// Of kMeasurementsDisagree; of kOverheated if others contradict the reading at the trip.
   Disagreement disagreement;
 };
 

@@ -2,8 +2,6 @@
 // What contradicts a reading at the trip temperature.
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "tests/control/followed.h"
 
 namespace hedgehog::control {
@@ -26,8 +24,29 @@ TEST(ContradictingHeat, AVIAtTheTripThatNoHeatExplains) {
 }
 
 TEST(ContradictingHeat, AVIWithinAPercentOfTheEstimateIsHeat) {
-  EXPECT_FALSE(shown(67.0, 71.5).contradicting_heat().any());
+  EXPECT_FALSE(shown(65.5, 70.6).contradicting_heat().any());
   EXPECT_TRUE(shown(64.0, 71.0).contradicting_heat().any());
+}
+
+TEST(ContradictingHeat, AVIWithinItsOwnErrorIsHeat) {
+  const auto found = [](const model::CurrentAccuracy& accuracy) {
+    Followed ball(58.0);
+    ball.set_accuracy(accuracy);
+    for (int i = 0; i < 5000; ++i) ball.tick(8.0, ball.winding_c());
+    for (int i = 0; i < 500; ++i) ball.tick(2.0, 60.0);
+    for (int i = 0; i < 250; ++i) ball.tick(2.0, 71.0);
+    return ball.contradicting_heat();
+  };
+  EXPECT_TRUE(found({}).any());
+  EXPECT_FALSE(found(model::kDriverCsAccuracy).any()) << "0.12 A of 2 A";
+}
+
+TEST(ContradictingHeat, AWindingThatIsExpectedAtTheTripIsHot) {
+  Followed ball(69.5);
+  ball.tick(0.0, 69.5);
+  ball.show(2, 75.0);
+  ball.tick(0.0, 69.5);
+  EXPECT_FALSE(ball.contradicting_heat().any());
 }
 
 TEST(ContradictingHeat, OfAColderWindingThanExpectedThereIsNone) {
@@ -49,17 +68,18 @@ TEST(ContradictingHeat, AHigherResistanceOfTheColdStartIsNoHeat) {
 }
 
 TEST(ContradictingHeat, AChangeIsRelativeToTheSupplyAtTheStart) {
-  const auto found = [](int ticks, double supply_v) {
+  const auto found = [](int ticks, double shown_c) {
     Followed ball(60.0);
     ball.supply_known = true;
-    ball.supply_v = supply_v;
+    ball.supply_v = 12.5;
     for (int i = 0; i < ticks; ++i) ball.tick(8.0, 60.0);
-    for (int i = 0; i < 60; ++i) ball.tick(8.0, 78.0);
+    for (int i = 0; i < 60; ++i) ball.tick(8.0, shown_c);
     return ball.contradicting_heat();
   };
-  EXPECT_EQ(found(6000, 12.3), kResistance);
-  EXPECT_EQ(found(60, 12.3), kResistance.with(Quantity::kSupplyVoltage))
-      << "12 V of the device file are all that is known";
+  EXPECT_EQ(found(6000, 78.0), kResistance);
+  EXPECT_FALSE(found(60, 78.0).any())
+      << "within 8 % of the device file, which is all that is known";
+  EXPECT_EQ(found(60, 105.0), kResistance.with(Quantity::kSupplyVoltage));
 }
 
 TEST(ContradictingHeat, AThermistorAtTheTripThatNoHeatExplains) {

@@ -49,6 +49,7 @@ class Followed {
   void show(int coil, double celsius) {
     measurement_.thermistors.celsius[static_cast<std::size_t>(coil)] = celsius;
   }
+  void set_accuracy(const model::CurrentAccuracy& accuracy) { measurement_.accuracy = accuracy; }
   void set_thermistor(int coil, bool valid) {
     measurement_.thermistors.valid[static_cast<std::size_t>(coil)] = valid;
   }

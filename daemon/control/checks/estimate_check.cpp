@@ -19,7 +19,7 @@ constexpr double kFallPerAmpereK = 12.0;
 constexpr double kBiases = 4.0;
 // With a thermistor offset beyond this, the thermistor may be the faulty one of the two.
 constexpr double kOddThermistorK = 1.2;
-// V/I that is higher than the filter expects by less does not contradict it.
+// V/I that is higher than the filter expects by less, and its error, does not contradict it.
 constexpr double kHeatShare = 0.01;
 
 }  // namespace
@@ -137,13 +137,15 @@ Disagreement EstimateCheck::contradicting_heat(const model::ThermalObserver& obs
     const auto i = static_cast<std::size_t>(coil);
     const double expected_c = filter.winding_c(coil);
     const double deviation_k = 2.0 * filter.winding_deviation_k(coil);
+    if (expected_c + deviation_k >= trip_c) continue;
     const model::WindingThermometer& thermometer = observer.winding(coil);
     if (thermometer.measuring() && thermometer.celsius() >= trip_c) {
-      const Winding& w = windings_[i];
+      const bool known = windings_[i].known;
       const double share = std::log(thermometer.resistance_ohm() / filter.resistance_ohm(coil));
-      const double deviation = deviation_k / kelvins_per_share(model::Celsius(expected_c));
-      if (share > kHeatShare + deviation)
-        return supply.moved(coil, share, w.known ? Since::kStart : Since::kFile,
+      const double error_k = thermometer.noise_k() + thermometer.bias_k() + deviation_k;
+      const double error = error_k / kelvins_per_share(model::Celsius(expected_c));
+      if (share > (known ? kHeatShare : kFileDrift) + error)
+        return supply.moved(coil, share, known ? Since::kStart : Since::kFile,
                             SupplyBalance::By::kLastWindow);
     }
     const double excess_k = thermistors.celsius[i] - expected_c;

@@ -41,9 +41,10 @@ class EstimateCheck {
   /// The contradicting quantities of the last kMeasurementsDisagree.
   const Disagreement& disagreement() const noexcept { return disagreement_; }
 
-  /// For a trip as overheated: a V/I or thermistor at or above `trip_c` and what contradicts it, or
-  /// none if the measurements agree that the winding is hot. A wrong reading of that height trips
-  /// before its contradiction has lasted for the hold times above.
+  /// For a trip as overheated: a V/I or thermistor at or above `trip_c` of a winding that the
+  /// filter expects below it, beyond the errors of both, and what contradicts it; none if they
+  /// agree, and while temperatures are a guess. A wrong reading trips before its contradiction has
+  /// lasted for the hold times above.
   Disagreement contradicting_heat(const model::ThermalObserver& observer,
                                   const SupplyBalance& supply, double trip_c) const noexcept;
 

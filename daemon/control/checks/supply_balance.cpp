@@ -88,6 +88,7 @@ Disagreement SupplyBalance::step(const SupplyReading& reading, double dt_s) noex
   }
   constexpr double kRounding = 1e-9;
   if (window_.s < kWindowS - kRounding) return {};
+  last_ = Balance{};
   const Disagreement found = window_.readings > 0 ? check(window_.s) : Disagreement{};
   window_ = Window{};
   return found;
@@ -177,7 +178,9 @@ Disagreement SupplyBalance::moved(int coil, double share, Since since, By by) co
   const Balance& now = by == By::kMeans ? mean_ : last_;
   const bool by_file = since == Since::kFile;
   // V/I changes with the measured voltage, and inversely with the current.
-  const double voltage = std::log(now.supply_v / (by_file ? nominal_supply_v_ : first_supply_v_));
+  const double voltage =
+      now.supply_v > 0.0 ? std::log(now.supply_v / (by_file ? nominal_supply_v_ : first_supply_v_))
+                         : 0.0;
   const double of_voltage = std::abs(voltage) > kNoticed ? voltage / share : 0.0;
   double missing_a = now.missing_a;
   if (!by_file) {

@@ -44,7 +44,8 @@ class SupplyBalance {
 
   /// V/I of winding `coil` has changed by `share` since the start, or deviates by it from the
   /// device file. Returns the quantity that changed, or the two between which it cannot
-  /// distinguish: by means over 0.3 s, or by the last window of 20 ms for a younger change.
+  /// distinguish, also where the supply was not measured: by means over 0.3 s, or by the last
+  /// window of 20 ms for a younger change.
   enum class Since : std::uint8_t { kStart, kFile };
   enum class By : std::uint8_t { kMeans, kLastWindow };
   Disagreement moved(int coil, double share, Since since, By by = By::kMeans) const noexcept;

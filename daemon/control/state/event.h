@@ -68,7 +68,7 @@ struct Event {
   double current_a = 0.0;
   double temperature_c = 0.0;
   std::uint64_t count = 0;
-  /// That of the trip.
+  /// kStateChanged by a trip: that of the trip.
   Disagreement disagreement;
 };
 
