@@ -158,6 +158,16 @@ TEST(StatusScreen, ShowsTheReasonOfATripAndItsRemedy) {
   EXPECT_THAT(lines, testing::Contains("  headroom          none  no current is allowed"));
 }
 
+TEST(StatusScreen, NamesTheMeasurementsThatContradictedEachOther) {
+  Ball ball = warm_ball();
+  ball.status.last_trip = protocol::TripStatus{.reason = "overheated"};
+  ball.status.last_trip->disagreement = {1, {"current", "supply_current"}};
+  EXPECT_THAT(status_screen(ball, {}),
+              testing::Contains(EndsWith("ago: overheated (winding y: current, supply_current)")));
+  ball.status.last_trip->disagreement = {3, {"current"}};
+  EXPECT_THAT(status_screen(ball, {}), testing::Contains(EndsWith("ago: overheated")));
+}
+
 TEST(StatusScreen, ShowsNoUnknownTemperature) {
   Ball ball = warm_ball();
   ball.status.temperature_c.thermometer = 38.04;

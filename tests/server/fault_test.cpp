@@ -175,6 +175,9 @@ TEST(Faults, EveryReasonHasARemedyWithACommand) {
   EXPECT_FALSE(remedy(control::State::kArmed, Reason::kNone, {}));
   EXPECT_NE(remedy(control::State::kAbsent, Reason::kNoBoard, {})->find("hedgehogd --simulate"),
             std::string::npos);
+  EXPECT_EQ(remedy(control::State::kTripped, Reason::kOverheated, {.contradicted = true}),
+            "Have the winding and the sensors that the trip names checked; let the ball cool below "
+            "45 °C, then run: hedgehogctl arm");
   EXPECT_NE(remedy(control::State::kTripped, Reason::kOverheated, {45.0, false})->find("45 °C"),
             std::string::npos);
 }

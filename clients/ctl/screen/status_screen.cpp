@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/screen/status_screen.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "clients/ctl/terminal/words.h"
@@ -96,10 +99,23 @@ void append_playing(const Status& status, const ScreenStyle& style,
   }
 }
 
+/// " (winding y: current, supply_current)".
+std::string contradiction_words(const std::optional<protocol::Disagreement>& found) {
+  constexpr std::array<const char*, 3> kCoilNames{"x", "y", "z"};
+  if (!found || found->coil < 0 || found->coil > 2) return {};
+  std::string words =
+      std::string(" (winding ") + kCoilNames[static_cast<std::size_t>(found->coil)] + ":";
+  for (const std::string& quantity : found->between)
+    words += (words.back() == ':' ? " " : ", ") + quantity;
+  return words + ")";
+}
+
 std::string last_trip_line(const Status& status) {
   if (!status.last_trip) return row("last trip", "none", "since the start");
   const double ago_s = static_cast<double>(status.time_ns - status.last_trip->time_ns) / 1e9;
-  return row("last trip", time_words(ago_s), "ago: " + status.last_trip->reason);
+  return row(
+      "last trip", time_words(ago_s),
+      "ago: " + status.last_trip->reason + contradiction_words(status.last_trip->disagreement));
 }
 
 /// `words`, and the keys at the right edge; `plain`: the words without colour sequences.

@@ -12,7 +12,11 @@ using control::Reason;
 std::string first_step(Reason reason, const RemedyFacts& facts) {
   switch (reason) {
     case Reason::kOverheated:
-      return "Let the ball cool below " + std::to_string(std::lround(facts.rearm_c)) + " °C";
+      return (facts.contradicted
+                  ? "Have the winding and the sensors that the trip names checked; let "
+                    "the ball cool below "
+                  : "Let the ball cool below ") +
+             std::to_string(std::lround(facts.rearm_c)) + " °C";
     case Reason::kStateLost:
       return "The previous state of the ball is unknown (see the log): let it cool below " +
              std::to_string(std::lround(facts.rearm_c)) + " °C";

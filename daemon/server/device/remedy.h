@@ -19,6 +19,8 @@ struct RemedyFacts {
   /// Seconds until a tripped ball may be armed again, and how often it was after the same trip.
   double rearm_wait_s = 0.0;
   int rearms = 0;
+  /// The last trip names measurements that contradict each other.
+  bool contradicted = false;
 };
 
 /// nullopt: no problem.

@@ -40,6 +40,16 @@ std::optional<protocol::Disagreement> disagreement_view(const control::Disagreem
   return out;
 }
 
+namespace {
+
+// The snapshot of `facts` may be older than a trip.
+RemedyFacts facts_of(const control::Event& event, RemedyFacts facts) {
+  if (event.trip) facts.contradicted = event.disagreement.any();
+  return facts;
+}
+
+}  // namespace
+
 std::optional<protocol::Event> event_view(const control::Event& event, const Effect* effect,
                                           std::int64_t epoch_ns, const RemedyFacts& facts) {
   protocol::Event out;
@@ -58,7 +68,7 @@ std::optional<protocol::Event> event_view(const control::Event& event, const Eff
     case EventType::kStateChanged:
       out.state = std::string(control::name(event.state));
       out.reason = reason_name(event.reason);
-      out.remedy = remedy(event.state, event.reason, facts);
+      out.remedy = remedy(event.state, event.reason, facts_of(event, facts));
       if (event.trip) {
         out.current_a = event.current_a;
         if (std::isfinite(event.temperature_c)) out.temperature_c = event.temperature_c;
