@@ -23,7 +23,6 @@ void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick 
   if (state_ != State::kAbsent) return;
   // The board's own count, so that the first set-point does not arm it.
   arm_count_ = board.arm_count;
-  arming_ = false;
   if (latch_ == Reason::kEmergencyStop) {
     enter(State::kDisarmed, latch_, now);
   } else if (latch_ != Reason::kNone) {
@@ -37,7 +36,6 @@ void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick 
 }
 
 void StateMachine::board_gone(Reason gone, model::Tick now) noexcept {
-  if (seen_) arm_when_sane_ = false;
   arming_ = false;
   // While the board is absent the first reason is kept, so that silence and unplugging are one
   // episode.
