@@ -4,7 +4,7 @@
 # mutate.sh [--changed [BASE]] [--again] [--file TEXT]... [--every N] [--most N] [--seconds S] [--list]
 #   --changed  only lines that differ from BASE (default: the merge base with origin/main, else HEAD~1), and, unless given
 #              otherwise, 40 mutants and 180 seconds at most
-#   --again    only those that survived or were left the last time
+#   --again    only those that have survived, or were left, since they were last killed
 #   --file     only files whose path contains TEXT; may be repeated
 #   --every    every N-th mutant
 #   --most     at most N mutants, drawn at random with the commit as the seed
@@ -55,8 +55,8 @@ else
   exec 9>build/.lock-mutations
   flock -n 9 || { echo "mutations: others are being judged here" >&2; exit 70; }
 fi
-# Of the last run: file, text, mutation, text before.
-last=$(awk -F '\t' '$1 == "survived" || $1 == "left" { print $3 FS $11 FS $10 FS $12 }' build/mutations/results 2>/dev/null || true)
+# Of earlier runs, those that were not killed: file, text, mutation, text before.
+alive=build/mutations-alive
 rm -rf "$work"
 mkdir -p "$work"
 # Objects of mutants are used once only, so they are not cached.
@@ -111,9 +111,15 @@ if [ -n "$changed" ]; then
   keep
 fi
 if [ -n "$again" ]; then
-  printf '%s\n' "$last" >"$work/last"
-  awk -F '\t' 'FILENAME == ARGV[1] { last[$0]; next } ($1 FS $9 FS $8 FS $10) in last' \
-    "$work/last" "$work/selected" >"$work/kept"
+  [ -f "$alive" ] || { echo "mutations: no earlier run is known here" >&2; exit 64; }
+  awk -F '\t' '
+    FILENAME == ARGV[1] { alive[$0]; next }
+    { key = $1 FS $9 FS $8 FS $10 }
+    key in alive { print; made[key] }
+    END {
+      for (key in alive) lost += !(key in made)
+      if (lost > 0) print "mutations: " lost " that survived are not made any more; their lines have changed" >"/dev/stderr"
+    }' "$alive" "$work/selected" >"$work/kept"
   keep
 fi
 if [ ${#wanted[@]} -gt 0 ]; then
@@ -165,6 +171,13 @@ list_commands "$work/commands"
 : >"$work/results"
 [ -z "$seconds" ] || export MUTATIONS_END=$(($(date +%s) + seconds))
 seq "$(wc -l <"$work/chosen")" | xargs -r -P "${JOBS:-2}" -n 1 tests/mutations/test_mutant.sh || true
+
+touch "$alive"
+awk -F '\t' '
+  FILENAME == ARGV[1] { judged[$3 FS $11 FS $10 FS $12] = $1 ~ /^(survived|left|broken)$/; next }
+  !($0 in judged)
+  END { for (key in judged) if (judged[key]) print key }' "$work/results" "$alive" | sort -u >"$work/alive"
+mv "$work/alive" "$alive"
 
 awk -F '\t' '
   FILENAME == ARGV[1] { ++known[$1]; files[$1]; next }
