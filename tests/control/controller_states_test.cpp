@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "tests/control/controlled.h"
 #include "tests/rig/rig.h"
@@ -10,7 +11,7 @@
 namespace hedgehog::control {
 namespace {
 
-TEST(Absent, ABallThatIsUnpluggedWhileItSpeaksIsNoLostTelemetry) {
+TEST(Absent, AnUnpluggedBallHasLostItsTelemetryIfItWasSilentBefore) {
   const auto reason = [](int silent_ticks) {
     Controlled ball{ControlSettings{}};
     ball.run(50);
@@ -132,7 +133,19 @@ TEST(Effects, ARejectedNumberIsNoDemand) {
   EXPECT_EQ(rig.snapshot().demand_a, model::Vec3{});
 }
 
-TEST(Effects, AllEndWithTheReasonOfAStop) {
+TEST(Effects, StopsBeyondTheirCountAreOldOnes) {
+  ControlSettings settings;
+  settings.arm_at_start = settings.start_known = true;
+  settings.start_measured.fill(true);
+  Controlled ball(settings);
+  ball.run(50);
+  ball.inputs.stops[0] = {7, 3, EndReason::kStopped};
+  StartEffect start{7, 3, 0, 0, rig::hold({1, 0, 0}, 2.0)};
+  ball.command(start);
+  for (const Event& event : ball.events) EXPECT_NE(event.end_reason, EndReason::kStopped);
+}
+
+TEST(Effects, AllEndWithTheGivenReason) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 2.0));

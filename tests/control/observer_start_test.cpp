@@ -2,6 +2,7 @@
 // The temperatures from which the controller's estimate starts: saved ones, or the thermistor's.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "tests/control/controlled.h"
@@ -84,7 +85,7 @@ TEST(ObserverStart, AnotherBallStartsAtTheThermistor) {
   EXPECT_GT(found.deviation_k[0], 10.0) << "a guess";
 }
 
-TEST(ObserverStart, TheResistancesOfTheBallBeforeAreForgotten) {
+TEST(ObserverStart, TheResistancesOfTheBallBeforeAreDiscarded) {
   rig::Rig rig;
   rig.run_until_armed();
   const auto play = [&](int seconds) {

@@ -3,6 +3,9 @@
 // determine a resistance.
 #include <gtest/gtest.h>
 
+#include <tuple>
+#include <utility>
+
 #include "tests/control/watched.h"
 
 namespace hedgehog::control {
@@ -104,15 +107,23 @@ TEST(WatchdogReadings, ACurrentIsComparedWithTheBoardsOwnDutyToo) {
 
 TEST(WatchdogReadings, WhatBrakingBridgesReturnIsNotExpectedOfTheSupply) {
   Watched ball = driven({0, 12, 0}, 1.0);
-  ball.commanded = {};
   const auto duty = ball.board.duty;
   const double supply_a = ball.board.supply_current_a;
   for (int i = 0; i < 3000; ++i) {
     const bool brakes = i % 4 == 3;
     ball.board.duty = brakes ? -1.0 * duty : duty;
     ball.board.supply_current_a = brakes ? 0.0 : supply_a;
-    ASSERT_NE(name(ball.step()), "measurements_disagree") << i;
+    ball.step();
+    ASSERT_FALSE(ball.watchdog.disagreement().any()) << i;
   }
+}
+
+TEST(WatchdogReadings, APartOfTheSumBelowAnAmpereExcludesTheCurrentToo) {
+  Watched ball = driven({0, 4.5, 0}, 1.0);
+  ASSERT_LT(ball.board.supply_current_a, 1.0);
+  ball.run(1000);
+  EXPECT_EQ(ball.watchdog.supply().moved(1, 0.1, SupplyBalance::Since::kFile),
+            (Disagreement{1, Quantity::kResistance, Quantity::kHeatBalance}));
 }
 
 TEST(WatchdogReadings, TheSupplyIsComparedWithinTheBoardsAccuracy) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/tick.h"
+
 namespace hedgehog::control {
 namespace {
 
