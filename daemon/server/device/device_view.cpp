@@ -125,8 +125,10 @@ double DeviceView::hottest_c() const noexcept {
 }
 
 RemedyFacts DeviceView::remedy_facts() const {
-  return {model::rearm_below_c(config_.limits, snapshot_.thermal.ambient_c), simulated(),
-          board().problem, static_cast<double>(snapshot_.rearm_wait) * model::kTickSeconds,
+  return {model::rearm_below_c(config_.limits, snapshot_.thermal.ambient_c),
+          simulated(),
+          board().problem,
+          static_cast<double>(snapshot_.rearm_wait) * model::kTickSeconds,
           snapshot_.rearms[static_cast<std::size_t>(snapshot_.latch)],
           snapshot_.last_trip.disagreement.any()};
 }
