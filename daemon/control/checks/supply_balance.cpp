@@ -157,16 +157,16 @@ int SupplyBalance::worst() const noexcept {
 void SupplyBalance::remember(const Row& derivative) noexcept {
   last_.supply_v = model::open_voltage(window_.supply_v, window_.supply_a) / window_.readings;
   last_.missing_a = window_.supply_a / window_.readings;
-  constexpr double share = kWindowS / kRememberedS;
+  constexpr double kShare = kWindowS / kRememberedS;
   if (mean_.supply_v == 0.0) mean_.supply_v = last_.supply_v;
   for (std::size_t i = 0; i < kCoils; ++i) {
     last_.part_a[i] = -derivative[i];
     last_.missing_a += derivative[i];
   }
-  mean_.missing_a += share * (last_.missing_a - mean_.missing_a);
-  mean_.supply_v += share * (last_.supply_v - mean_.supply_v);
+  mean_.missing_a += kShare * (last_.missing_a - mean_.missing_a);
+  mean_.supply_v += kShare * (last_.supply_v - mean_.supply_v);
   for (std::size_t i = 0; i < kCoils; ++i)
-    mean_.part_a[i] += share * (last_.part_a[i] - mean_.part_a[i]);
+    mean_.part_a[i] += kShare * (last_.part_a[i] - mean_.part_a[i]);
   if (observed_s_ > kFirstS) return;
   first_ = x_;
   for (int coil = 0; coil < kCoils; ++coil)
