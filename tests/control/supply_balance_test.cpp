@@ -28,13 +28,14 @@ struct SupplyBench {
   double supply_offset_a = 0.0;
   double supply_v = 12.0;
   model::CurrentAccuracy accuracy = model::kInLineAccuracy;
+  bool known = true;
 
   /// The first disagreement within `seconds`, or none.
   Disagreement run(const Vec3& current_a, double seconds) {
     const auto ticks = static_cast<int>(std::lround(seconds / kTickSeconds));
     for (int i = 0; i < ticks; ++i) {
       SupplyReading reading;
-      reading.known = true;
+      reading.known = known;
       reading.accuracy = accuracy;
       reading.duty = (0.45 / 12.0) * current_a;
       reading.supply_current_a =
@@ -169,6 +170,26 @@ TEST(SupplyBalance, ByItsLastWindowItNamesAChangeOfFiftyMilliseconds) {
             (Disagreement{1, Quantity::kCurrent, Quantity::kSupplyCurrent}));
   EXPECT_EQ(moved({1.0, 1.0, 1.0}, 13.2, 0.1),
             (Disagreement{1, Quantity::kSupplyVoltage, Quantity::kHeatBalance}));
+}
+
+TEST(SupplyBalance, ALastWindowOfMoreThanATenthOfASecondAgoExcludesNothing) {
+  for (const auto& [silent_s, excluded] : {std::pair{0.08, true}, {0.14, false}}) {
+    SupplyBench bench;
+    bench.run({0, 12, 0}, 10.0);
+    bench.known = false;
+    bench.run({0, 12, 0}, silent_s);
+    const Disagreement found =
+        bench.balance.moved(1, 0.1, SupplyBalance::Since::kStart, SupplyBalance::By::kLastWindow);
+    EXPECT_EQ(found.has(Quantity::kCurrent), !excluded) << silent_s;
+  }
+}
+
+TEST(SupplyBalance, ASupplyThatIsNotMeasuredExplainsNothing) {
+  for (const double share : {-0.1, 0.1}) {
+    const Disagreement found = SupplyBalance().moved(1, share, SupplyBalance::Since::kFile);
+    EXPECT_FALSE(found.has(Quantity::kSupplyVoltage)) << share;
+    EXPECT_TRUE(found.has(Quantity::kCurrent)) << share;
+  }
 }
 
 TEST(SupplyBalance, AQuantityThatMovedTheOtherWayIsNotExcluded) {

@@ -3,7 +3,7 @@
 // before any part overheats. On the whole rig, with the firmware's own conversion of raw values.
 #include <tuple>
 
-#include "tests/rig/fault_run.h"
+#include "tests/rig/thermal_ball.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -116,19 +116,6 @@ INSTANTIATE_TEST_SUITE_P(
                                          Wrong{SimulatorErrorKind::kSupplyGain, 1.1, 0.0,
                                                Quantity::kSupplyVoltage}),
                        ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
-
-// The filter takes it for a drift of R25 below the threshold until V/I is at the trip.
-TEST(EachWrongThatGrows, AnOffsetThatSimulatesHeatIsNamed) {
-  for (std::uint8_t coil = 0; coil < model::kCoils; ++coil) {
-    rig::ThermalFault fault;
-    fault.error = {SimulatorErrorKind::kCurrentOffsetA, coil, -0.3, 120.0};
-    fault.from_c = 33.0;
-    fault.winding = coil;
-    const rig::FaultResult result = run_fault(fault, rig::matching_ball(fault, {}));
-    EXPECT_EQ(name(result.stop.reason), "overheated");
-    EXPECT_TRUE(rig::named(fault, result.stop)) << words(result.stop);
-  }
-}
 
 }  // namespace
 }  // namespace hedgehog::safety

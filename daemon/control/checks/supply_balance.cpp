@@ -88,8 +88,9 @@ Disagreement SupplyBalance::step(const SupplyReading& reading, double dt_s) noex
   }
   constexpr double kRounding = 1e-9;
   if (window_.s < kWindowS - kRounding) return {};
-  last_ = Balance{};
+  last_age_s_ += window_.s;
   const Disagreement found = window_.readings > 0 ? check(window_.s) : Disagreement{};
+  if (last_age_s_ > kMaxLastAgeS) last_ = Balance{};
   window_ = Window{};
   return found;
 }
@@ -155,6 +156,7 @@ int SupplyBalance::worst() const noexcept {
 }
 
 void SupplyBalance::remember(const Row& derivative) noexcept {
+  last_age_s_ = 0.0;
   last_.supply_v = model::open_voltage(window_.supply_v, window_.supply_a) / window_.readings;
   last_.missing_a = window_.supply_a / window_.readings;
   constexpr double kShare = kWindowS / kRememberedS;

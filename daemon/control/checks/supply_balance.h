@@ -35,6 +35,9 @@ class SupplyBalance {
   static constexpr double kGain = 0.045;
   static constexpr double kHoldS = 0.3;
   static constexpr double kGainHoldS = 0.5;
+  /// Maximum age of the last measured window: while V/I is at the trip, the limiter ends the
+  /// current.
+  static constexpr double kMaxLastAgeS = 0.1;
 
   SupplyBalance() noexcept : SupplyBalance(model::CoilModel{}.supply_v) {}
   explicit SupplyBalance(double nominal_supply_v) noexcept;
@@ -45,7 +48,7 @@ class SupplyBalance {
   /// V/I of winding `coil` has changed by `share` since the start, or deviates by it from the
   /// device file. Returns the quantity that changed, or the two between which it cannot
   /// distinguish, also where the supply was not measured: by means over 0.3 s, or by the last
-  /// window of 20 ms for a younger change.
+  /// measured window of 20 ms for a younger change.
   enum class Since : std::uint8_t { kStart, kFile };
   enum class By : std::uint8_t { kMeans, kLastWindow };
   Disagreement moved(int coil, double share, Since since, By by = By::kMeans) const noexcept;
@@ -100,6 +103,7 @@ class SupplyBalance {
   std::array<double, model::kCoils> first_deviation_{};
   double first_supply_v_ = 0.0;
   Balance mean_, last_;
+  double last_age_s_ = 0.0;
 };
 
 }  // namespace hedgehog::control
