@@ -25,7 +25,7 @@ struct Controlled {
     ++inputs.tick;
     if (inputs.board_fresh) {
       ++inputs.board.sequence;
-      inputs.board.sensor_conversions += converting ? 1 : 0;
+      if (converting) ++inputs.board.sensor_conversions;
     }
     controller.step(inputs, events);
     inputs.command_count = 0;
