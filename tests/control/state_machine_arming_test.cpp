@@ -45,9 +45,10 @@ TEST(StateMachine, AnEmergencyStopOrBootLoaderPreventsTheArmingOfTheStart) {
   EXPECT_FALSE(stopped.arming());
   StateMachine loading = waiting_to_arm();
   loading.enter_boot_loader(3);
-  for (model::Tick t = 4; t < 4 + 2 * StateMachine::kBootLoaderTimeout; ++t)
+  for (model::Tick t = 4; t < 4 + 2 * StateMachine::kBootLoaderTimeout; ++t) {
     loading.step(ready_with(0), true, Reason::kNone, t);
-  EXPECT_FALSE(loading.arming());
+    ASSERT_FALSE(loading.arming()) << t;
+  }
 }
 
 TEST(StateMachine, AfterATripARestartedBoardIsNotArmedByTheStart) {
