@@ -98,6 +98,7 @@ class SupplyBalance {
     double supply_v = 0.0;
   };
 
+  // Of the first seconds: gains, their deviations, supply voltage.
   double observed_s_ = 0.0;
   Row first_{};
   std::array<double, model::kCoils> first_deviation_{};
