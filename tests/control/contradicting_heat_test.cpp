@@ -101,7 +101,7 @@ TEST(ContradictingHeat, AThermistorAtTheTripThatNoHeatExplains) {
 
 TEST(ContradictingHeat, AGuessedTemperatureContradictsNothing) {
   Followed ball(25.0, false);
-  for (int i = 0; i < 60; ++i) ball.tick(5.0, 72.0);
+  for (int i = 0; i < 60; ++i) ball.tick(5.0, 150.0);
   EXPECT_FALSE(ball.contradicting_heat().any());
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/screen/status_screen.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -101,10 +100,8 @@ void append_playing(const Status& status, const ScreenStyle& style,
 
 /// " (winding y: current, supply_current)".
 std::string contradiction_words(const std::optional<protocol::Disagreement>& found) {
-  constexpr std::array<const char*, 3> kCoilNames{"x", "y", "z"};
   if (!found || found->coil < 0 || found->coil > 2) return {};
-  std::string words =
-      std::string(" (winding ") + kCoilNames[static_cast<std::size_t>(found->coil)] + ":";
+  std::string words = std::string(" (winding ") + "xyz"[found->coil] + ":";
   for (const std::string& quantity : found->between)
     words += (words.back() == ':' ? " " : ", ") + quantity;
   return words + ")";

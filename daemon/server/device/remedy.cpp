@@ -8,15 +8,14 @@ namespace {
 
 using control::Reason;
 
+constexpr const char* kCheckNamed = "Have the winding and the sensors that the trip names checked";
+
 /// What to do before arming; empty: arming is enough.
 std::string first_step(Reason reason, const RemedyFacts& facts) {
   switch (reason) {
     case Reason::kOverheated:
-      return (facts.contradicted
-                  ? "Have the winding and the sensors that the trip names checked; let "
-                    "the ball cool below "
-                  : "Let the ball cool below ") +
-             std::to_string(std::lround(facts.rearm_c)) + " °C";
+      return (facts.contradicted ? std::string(kCheckNamed) + "; let" : "Let") +
+             " the ball cool below " + std::to_string(std::lround(facts.rearm_c)) + " °C";
     case Reason::kStateLost:
       return "The previous state of the ball is unknown (see the log): let it cool below " +
              std::to_string(std::lround(facts.rearm_c)) + " °C";
@@ -41,7 +40,7 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
     case Reason::kBoardOverCurrent:
       return "Check the coils for a short";
     case Reason::kMeasurementsDisagree:
-      return "Have the winding and the sensors that the trip names checked";
+      return kCheckNamed;
     case Reason::kFanStopped:
       return "Free the fan and check its plug";
     case Reason::kBoardSupply:

@@ -27,6 +27,12 @@ void fill_end(protocol::Event& out, const control::Event& event, std::int64_t ep
   out.mixed_ms = d.mixed;
 }
 
+// The snapshot of `facts` may be older than a trip.
+RemedyFacts facts_of(const control::Event& event, RemedyFacts facts) {
+  if (event.trip) facts.contradicted = event.disagreement.any();
+  return facts;
+}
+
 }  // namespace
 
 std::optional<protocol::Disagreement> disagreement_view(const control::Disagreement& found) {
@@ -39,16 +45,6 @@ std::optional<protocol::Disagreement> disagreement_view(const control::Disagreem
   }
   return out;
 }
-
-namespace {
-
-// The snapshot of `facts` may be older than a trip.
-RemedyFacts facts_of(const control::Event& event, RemedyFacts facts) {
-  if (event.trip) facts.contradicted = event.disagreement.any();
-  return facts;
-}
-
-}  // namespace
 
 std::optional<protocol::Event> event_view(const control::Event& event, const Effect* effect,
                                           std::int64_t epoch_ns, const RemedyFacts& facts) {
