@@ -149,10 +149,11 @@ double SupplyBalance::certain_gain(int coil) const noexcept {
 }
 
 int SupplyBalance::worst() const noexcept {
-  int found = 0;
-  for (int coil = 1; coil < kCoils; ++coil)
-    if (certain_gain(coil) > certain_gain(found)) found = coil;
-  return found;
+  static_assert(kCoils == 3);
+  const auto worse = [this](int one, int other) {
+    return certain_gain(other) > certain_gain(one) ? other : one;
+  };
+  return worse(worse(0, 1), 2);
 }
 
 void SupplyBalance::remember(const Row& derivative) noexcept {
