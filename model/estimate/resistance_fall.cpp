@@ -22,9 +22,7 @@ void ResistanceFall::add(double deviations, bool each_winding_has_a_thermistor) 
   margin_k_ = std::max(margin_k_, kMaxMarginK * std::min(1.0, sum_ / kLimit));
 }
 
-void ResistanceFall::age(double dt_s) noexcept {
-  margin_k_ *= 1.0 - std::min(1.0, dt_s / kMarginDecayS);
-}
+void ResistanceFall::age(double dt_s) noexcept { margin_k_ *= 1.0 - dt_s / kMarginDecayS; }
 
 void ResistanceFall::follow(const WindingThermometer& winding, double offset_a) noexcept {
   const bool compared = std::exchange(comparing_, winding.comparing());

@@ -37,7 +37,7 @@ class ResistanceFall {
 
   /// Adds a V/I innovation of `deviations` standard deviations (positive: above the prediction).
   void add(double deviations, bool each_winding_has_a_thermistor) noexcept;
-  /// Advances by `dt_s`: the margin decays slowly.
+  /// Advances by `dt_s`, less than a minute: the margin decays slowly.
   void age(double dt_s) noexcept;
 
   /// Once a step, after the winding's thermometer was updated: calls the three functions below at

@@ -3,20 +3,20 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hedgehog::model {
 
 NodeTimeConstants node_time_constants(const ThermalModel& model) noexcept {
-  NodeTimeConstants time{model.winding_j_k[0] * model.winding_to_core_k_w[0], 0.0};
+  std::array<double, kCoils> winding_s{};
   double from_core_w_k =
       1.0 / std::min(model.core_to_ambient_fan_k_w, model.core_to_ambient_still_k_w);
   for (std::size_t i = 0; i < kCoils; ++i) {
-    time.winding_s = std::min(time.winding_s, model.winding_j_k[i] * model.winding_to_core_k_w[i]);
+    winding_s[i] = model.winding_j_k[i] * model.winding_to_core_k_w[i];
     from_core_w_k += 1.0 / model.winding_to_core_k_w[i];
   }
-  time.core_s = model.core_j_k / from_core_w_k;
-  return time;
+  return {*std::min_element(winding_s.begin(), winding_s.end()), model.core_j_k / from_core_w_k};
 }
 
 // C dx/dt = -G x, x relative to ambient. In y = sqrt(C) x the matrix is symmetric, so its

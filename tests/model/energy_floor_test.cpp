@@ -6,7 +6,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 
+#include "model/thermal/thermal_decay.h"
 #include "tests/model/thermal_loop.h"
 
 namespace hedgehog::model {
@@ -53,6 +55,43 @@ TEST(EnergyFloor, IsAFewKelvinBelowAMatchingBall) {
   ASSERT_GT(real_c, 50.0);
   EXPECT_LT(floor.winding_c(1), real_c);
   EXPECT_GT(floor.winding_c(1), real_c - 10.0);
+}
+
+constexpr ThermalState kSettled{{25.0, 25.0, 25.0}, 25.0};
+constexpr double kWindow = 0.1;
+
+/// Rise of winding 0 in the first window, K, of a ball of one temperature whose thermistors `valid`
+/// show 6 K more.
+double corrected_k(const std::array<bool, kCoils>& valid) {
+  EnergyFloor floor(ThermalModel{}, 0.2, kSettled, 25.0);
+  ThermistorReadings readings;
+  readings.celsius.fill(31.0);
+  readings.valid = valid;
+  floor.step({}, false, readings, kWindow);
+  return floor.winding_c(0) - 25.0;
+}
+
+TEST(EnergyFloor, FollowsASingleThermistorMoreSlowlyThanOneOfSeveral) {
+  EXPECT_NEAR(corrected_k({true, false, false}), 6.0 * kWindow / 10.0, 1e-9);
+  EXPECT_NEAR(corrected_k({true, true, false}), 6.0 * kWindow / 6.0, 1e-9);
+  EXPECT_NEAR(corrected_k({true, true, true}), 6.0 * kWindow / 6.0, 1e-9);
+  EXPECT_NEAR(corrected_k({false, true, true}), 0.0, 1e-9) << "its own thermistor only";
+}
+
+TEST(EnergyFloor, AThermistorQuickerThanAWindowShowsItsWinding) {
+  ThermalModel quick;
+  quick.winding_j_k.fill(5.0);
+  quick.sensor_lag_s = kMinSensorLagS;
+  const ThermalState hot{{60.0, 25.0, 25.0}, 25.0};
+  EnergyFloor alone(quick, 0.2, hot, 25.0);
+  EnergyFloor beside = alone;
+  alone.step({}, false, {}, 2.0 * kWindow);
+  ASSERT_LT(alone.winding_c(0), 59.0);
+  ThermistorReadings readings;
+  readings.celsius[0] = alone.winding_c(0);
+  readings.valid[0] = true;
+  beside.step({}, false, readings, 2.0 * kWindow);
+  EXPECT_NEAR(beside.winding_c(0), alone.winding_c(0), 1e-9);
 }
 
 }  // namespace

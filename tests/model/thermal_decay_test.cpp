@@ -74,6 +74,28 @@ void expect_settles(ThermalState nodes, int steps, Step step) {
   }
 }
 
+TEST(TimeConstants, OfTheWindingsTheShortest) {
+  ThermalModel model;
+  model.winding_j_k = {10.0, 20.0, 30.0};
+  model.winding_to_core_k_w = {3.0, 1.0, 2.0};
+  EXPECT_DOUBLE_EQ(node_time_constants(model).winding_s, 20.0);
+  model.winding_to_core_k_w = {1.5, 1.0, 2.0};
+  EXPECT_DOUBLE_EQ(node_time_constants(model).winding_s, 15.0);
+  model.winding_to_core_k_w = {1.5, 1.0, 0.25};
+  EXPECT_DOUBLE_EQ(node_time_constants(model).winding_s, 7.5);
+}
+
+TEST(TimeConstants, OfTheCoreWithTheBetterOfBothWaysToTheAmbient) {
+  ThermalModel model;
+  model.core_j_k = 12.0;
+  model.winding_to_core_k_w = {1.0, 2.0, 4.0};
+  model.core_to_ambient_fan_k_w = 4.0;
+  model.core_to_ambient_still_k_w = 8.0;
+  EXPECT_DOUBLE_EQ(node_time_constants(model).core_s, 6.0) << "12 J/K into 2 W/K";
+  model.core_to_ambient_still_k_w = 0.2;
+  EXPECT_DOUBLE_EQ(node_time_constants(model).core_s, 12.0 / 6.75);
+}
+
 TEST(Decay, CoolsAndNeverBelowTheAmbient) {
   const ThermalModel ball;
   const ThermalState hot{{50.0, 60.0, 55.0}, 45.0};
