@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 
 #include "tests/control/controlled.h"
 #include "tests/rig/rig.h"
@@ -107,16 +106,6 @@ TEST(ObserverStart, TheResistancesOfTheBallBeforeAreDiscarded) {
   ASSERT_EQ(name(rig.controller().state()), "armed");
   play(20);
   EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
-}
-
-TEST(ObserverInputs, AThermistorThatIsNotConvertedMeasuresNothing) {
-  Controlled ball(saved({{25.0, 25.0, 25.0}, 25.0}));
-  ball.run(100);
-  ball.converting = false;
-  ball.run(240);
-  EXPECT_LT(ball.controller.thermal().hottest_c, 40.0);
-  ball.run(150);
-  EXPECT_EQ(ball.controller.thermal().hottest_c, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
