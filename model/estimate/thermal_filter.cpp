@@ -55,13 +55,12 @@ ThermalFilter::ThermalFilter(const CoilModel& coils, const ThermalModel& thermal
     x_[at(kLostContact, coil)] = kLostContactStart;
   }
   set_variance(kCooling, kEvenDeviation * uncertainty.thermal);
-  set_current_accuracy(CurrentAccuracy{});
   start_nodes(start);
 }
 
 void ThermalFilter::start_nodes(const FilterStart& start) noexcept {
-  constexpr std::array<std::size_t, 8> kTemperatures{
-      kWinding, kWinding + 1, kWinding + 2, kCore, kAmbient, kBody, kBody + 1, kBody + 2};
+  constexpr std::array kTemperatures{kWinding, kWinding + 1, kWinding + 2, kCore,
+                                     kAmbient, kBody,        kBody + 1,    kBody + 2};
   for (std::size_t i = 0; i < kCoils; ++i) {
     x_[kWinding + i] = start.nodes.winding_c[i];
     x_[kBody + i] = start.nodes.winding_c[i];

@@ -44,7 +44,7 @@ class ThermalFilter {
   ThermalFilter(const CoilModel& coils, const ThermalModel& thermal,
                 const ThermalUncertainty& uncertainty, const FilterStart& start) noexcept;
 
-  /// Sets the accuracy of the currents and discards the estimated offsets.
+  /// Sets the accuracy of the currents (until then exact) and discards the estimated offsets.
   void set_current_accuracy(const CurrentAccuracy& accuracy) noexcept;
 
   /// Advances by `dt_s` (0.02..0.3 s) with the losses `loss_w` of the windings.
@@ -123,7 +123,7 @@ class ThermalFilter {
 
   CoilModel coils_;
   ThermalModel thermal_;
-  double max_offset_a_ = 0.2;
+  double max_offset_a_ = 0.0;
   Row x_{};
   std::array<Row, kStates> p_{};
 };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -59,6 +60,35 @@ TEST(ThermalFilter, FollowsAMatchingBallWithinHalfAKelvin) {
   EXPECT_LT(ball.filter.winding_deviation_k(0), 1.0);
 }
 
+TEST(ThermalFilter, PredictsTheBallOfItsFile) {
+  ThermalModel file;
+  file.winding_j_k = {40.0, 60.0, 90.0};
+  file.winding_to_core_k_w = {0.6, 1.5, 2.2};
+  file.core_j_k = 150.0;
+  file.sensor_lag_s = 3.0;
+  Plant plant(PlantParameters::of(CoilModel{}, file), 25.0);
+  PlantErrors errors;
+  errors.lost_contact.fill(0.05);
+  plant.set_errors(errors);
+  ThermalFilter filter(CoilModel{}, file, {}, all_at(25.0));
+  const Vec3 square_a2{50.0, 20.0, 30.0};
+  for (int window = 0; window < 1200; ++window) {
+    std::array<double, kCoils> loss_w{};
+    for (int coil = 0; coil < kCoils; ++coil)
+      loss_w[static_cast<std::size_t>(coil)] = plant.resistance_ohm(coil) * square_a2[coil];
+    const bool fan = window >= 600;
+    for (int i = 0; i < 5; ++i) plant.step_thermal(square_a2, fan ? 1.0 : 0.0, 0.02);
+    filter.predict(loss_w, fan, kWindowS);
+  }
+  for (int coil = 0; coil < kCoils; ++coil) {
+    EXPECT_NEAR(filter.winding_c(coil), plant.heat().winding_c[static_cast<std::size_t>(coil)],
+                0.1);
+    EXPECT_NEAR(filter.thermistor_c(coil), plant.thermistor_c(coil), 0.1);
+  }
+  EXPECT_NEAR(filter.core_c(), plant.heat().core_c, 0.1);
+  ASSERT_GT(filter.core_c(), 35.0);
+}
+
 TEST(ThermalFilter, EstimatesAResistanceThatDiffersFromTheFile) {
   PlantParameters real;
   real.r25_ohm[0] *= 1.04;
@@ -89,6 +119,68 @@ TEST(ThermalFilter, AnIdleCurrentIsItsOffset) {
   EXPECT_EQ(filter.current_offset_a(0), 0.0);
   filter.set_current_accuracy({0.1, 0.1, false});
   EXPECT_EQ(filter.current_offset_a(2), 0.0) << "another board";
+}
+
+TEST(ThermalFilter, TheOffsetOfAnotherBoardIsIndependentOfTheTemperatures) {
+  FollowedBall ball(PlantParameters{});
+  ThermalFilter& filter = ball.filter;
+  filter.set_current_accuracy({0.05, 0.03, true});
+  for (int i = 0; i < 100; ++i) ball.step(6.0);
+  ThermalFilter same = filter;
+  same.idle_current(0, 0.05);
+  EXPECT_GT(std::abs(same.winding_c(0) - filter.winding_c(0)), 1e-4);
+  filter.set_current_accuracy({0.05, 0.06, true});
+  const ThermalFilter before = filter;
+  filter.idle_current(0, 0.05);
+  EXPECT_GT(filter.current_offset_a(0), 0.01);
+  EXPECT_EQ(filter.winding_c(0), before.winding_c(0));
+  EXPECT_EQ(filter.resistance_drift(0), before.resistance_drift(0));
+}
+
+TEST(ThermalFilter, AnOffsetIsAtMostTwiceTheTolerance) {
+  for (const double tolerance_a : {0.03, 0.06})
+    for (const double sign : {-1.0, 1.0}) {
+      ThermalFilter filter = filter_at(25.0);
+      filter.set_current_accuracy({0.05, tolerance_a, true});
+      for (int i = 0; i < 50; ++i) filter.idle_current(1, sign * 3.5 * tolerance_a);
+      EXPECT_DOUBLE_EQ(filter.current_offset_a(1), sign * 2.0 * tolerance_a);
+    }
+}
+
+/// The cooling after an hour in which the core's real cooling differs from the file's by `gain`.
+double cooling_found(double gain) {
+  PlantParameters real;
+  real.core_to_ambient_still_k_w /= gain;
+  FollowedBall ball(real);
+  for (int i = 0; i < 36'000; ++i) ball.step(6.0);
+  return ball.filter.cooling();
+}
+
+TEST(ThermalFilter, FindsACoolingThatDiffersFromTheFile) {
+  EXPECT_NEAR(cooling_found(1.0), 1.0, 0.05);
+  EXPECT_NEAR(cooling_found(0.6), 0.6, 0.05);
+}
+
+TEST(ThermalFilter, TakesNoCoolingForPossibleThatIsFarFromTheFile) {
+  EXPECT_NEAR(cooling_found(5.0), std::exp(0.7), 0.05);
+  EXPECT_NEAR(cooling_found(0.1), std::exp(-1.2), 0.05);
+}
+
+TEST(ThermalFilter, AThermistorFollowsItsWindingToTwoFifthsAtLeast) {
+  ThermalFilter filter = filter_at(25.0);
+  double excess_k = 0.0;
+  const auto window = [&] {
+    filter.predict({60.0, 0, 0}, false, kWindowS);
+    excess_k = filter.winding_c(0) - filter.core_c();
+    const double ohm = 1.0 + kCopperPerKelvin * (filter.winding_c(0) - 25.0);
+    filter.resistance(0, std::log(ohm), kMeter, 0.1);
+  };
+  for (int i = 0; i < 3000; ++i) {
+    window();
+    filter.thermistor(0, filter.thermistor_c(0) + filter.thermistor_offset_k(0) - 1.5);
+  }
+  for (int i = 0; i < 600; ++i) window();
+  EXPECT_NEAR((filter.thermistor_c(0) - filter.core_c()) / excess_k, 0.4, 0.02);
 }
 
 TEST(ThermalFilter, WithoutMeasurementsItsUncertaintyGrows) {
