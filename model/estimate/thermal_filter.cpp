@@ -267,20 +267,20 @@ Innovation ThermalFilter::resistance(int coil, double log_ratio, double deviatio
   const double warmth = 1.0 + kCopperPerKelvin * (winding_c(coil) - 25.0);
   const double offset = current_offset_a(coil);
   const double expected = resistance_drift(coil) + std::log(warmth) - per_ampere * offset;
-  return measure(std::array<Term, 3>{{{at(kResistance, coil), 1.0},
-                                      {at(kWinding, coil), kCopperPerKelvin / warmth},
-                                      {at(kCurrentOffset, coil), -per_ampere}}},
+  return measure(std::array{Term{at(kResistance, coil), 1.0},
+                            Term{at(kWinding, coil), kCopperPerKelvin / warmth},
+                            Term{at(kCurrentOffset, coil), -per_ampere}},
                  log_ratio - expected, deviation);
 }
 
 Innovation ThermalFilter::thermistor(int coil, double celsius) noexcept {
-  return measure(std::array<Term, 2>{{{at(kBody, coil), 1.0}, {at(kThermistorOffset, coil), 1.0}}},
+  return measure(std::array{Term{at(kBody, coil), 1.0}, Term{at(kThermistorOffset, coil), 1.0}},
                  celsius - thermistor_c(coil) - thermistor_offset_k(coil), kThermistorReadingK);
 }
 
 void ThermalFilter::idle_current(int coil, double current_a) noexcept {
-  measure(std::array<Term, 1>{{{at(kCurrentOffset, coil), 1.0}}},
-          current_a - current_offset_a(coil), kIdleReadingA);
+  measure(std::array{Term{at(kCurrentOffset, coil), 1.0}}, current_a - current_offset_a(coil),
+          kIdleReadingA);
 }
 
 }  // namespace hedgehog::model

@@ -89,6 +89,16 @@ TEST(ThermalFilter, PredictsTheBallOfItsFile) {
   ASSERT_GT(filter.core_c(), 35.0);
 }
 
+TEST(ThermalFilter, AThermistorQuickerThanAStepShowsItsWinding) {
+  ThermalModel file;
+  file.sensor_lag_s = 0.1;
+  FilterStart start = all_at(60.0);
+  start.nodes.core_c = 20.0;
+  ThermalFilter filter(CoilModel{}, file, {}, start);
+  filter.predict({}, false, 0.3);
+  EXPECT_NEAR(filter.thermistor_c(0), 60.0 - 0.05 * 40.0, 1e-9);
+}
+
 TEST(ThermalFilter, EstimatesAResistanceThatDiffersFromTheFile) {
   PlantParameters real;
   real.r25_ohm[0] *= 1.04;
@@ -192,6 +202,13 @@ TEST(ThermalFilter, WithoutMeasurementsItsUncertaintyGrows) {
     before_k = filter.winding_deviation_k(1);
   }
   EXPECT_GT(before_k, 1.0) << "20 % of capacities and conductances are kelvins";
+}
+
+TEST(ThermalFilter, HoweverLongNothingIsMeasuredItsCoolingIsKnownToAHalf) {
+  ThermalFilter filter = filter_at(25.0);
+  for (int i = 0; i < 240'000; ++i) filter.predict({1.0, 1.0, 1.0}, false, 0.3);
+  const double above_k = filter.core_c() - 25.0;
+  EXPECT_NEAR(filter.between_deviation_k(1.0), std::hypot(3.0, 0.5 * above_k), 0.1 * above_k);
 }
 
 TEST(ThermalFilter, WellKnownConstantsReduceTheUncertainty) {

@@ -11,36 +11,10 @@
 
 #include "tests/model/non_finite.h"
 #include "tests/model/thermal_loop.h"
+#include "tests/model/thermal_measurements.h"
 
 namespace hedgehog::model {
 namespace {
-
-ThermalMeasurement quiet(double sensor_c) {
-  ThermalMeasurement m;
-  m.electrical_valid = true;
-  m.thermistors.celsius[0] = sensor_c;
-  m.thermistors.valid[0] = true;
-  return m;
-}
-
-/// A ball known to have the uniform temperature `celsius`.
-ThermalStart known(double celsius) {
-  ThermalStart start;
-  start.nodes = {{celsius, celsius, celsius}, celsius};
-  start.known = true;
-  start.measured.fill(true);
-  return start;
-}
-
-/// The measurement when winding `coil` of 0.45 ohm at 25 C carries `current` at `celsius`.
-ThermalMeasurement measurement(int coil, double current, double celsius, double sensor_c) {
-  ThermalMeasurement m = quiet(sensor_c);
-  m.current_before_a[coil] = current;
-  m.current_a[coil] = current;
-  m.voltage_v[coil] = current * resistance_at(Ohms(0.45), Celsius(celsius)).value;
-  m.fan_running = true;
-  return m;
-}
 
 TEST(ThermalObserver, FindsAWindingThatBurnsWhileTheThermistorStaysCool) {
   ThermalObserver observer;
@@ -117,26 +91,6 @@ TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsAllowed) {
   EXPECT_TRUE(std::isinf(observer.estimate().hottest_c));
 }
 
-TEST(ThermalObserver, NumbersThatAreNotFiniteLeaveTheEstimateFinite) {
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(45.0));
-  for (int tick = 0; tick < 200; ++tick) observer.step(measurement(0, 5.0, 45.0, 44.0));
-  for (const double bad : {kNan, kInfinity, -kInfinity, 1e200}) {
-    ThermalMeasurement m = measurement(0, 5.0, 45.0, 44.0);
-    m.current_a.x = bad;
-    observer.step(m);
-    m = measurement(0, 5.0, 45.0, 44.0);
-    m.voltage_v.y = bad == 1e200 ? kNan : bad;
-    observer.step(m);
-    m = measurement(0, 5.0, 45.0, 44.0);
-    m.thermistors.celsius[0] = bad == 1e200 ? kNan : bad;
-    observer.step(m);
-  }
-  for (int tick = 0; tick < 200; ++tick) observer.step(measurement(0, 5.0, 45.0, 44.0));
-  EXPECT_NEAR(observer.estimate().nodes.winding_c[0], 45.0, 0.5);
-  EXPECT_TRUE(std::isfinite(observer.estimate().hottest_c));
-  EXPECT_TRUE(std::isfinite(observer.estimate().ambient_c));
-}
-
 TEST(ThermalObserver, AnImpossibleResistanceStaysWithinAFactorOfTwo) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (const double factor : {-1.0, 0.0, 0.01, 100.0}) {
@@ -148,55 +102,6 @@ TEST(ThermalObserver, AnImpossibleResistanceStaysWithinAFactorOfTwo) {
       EXPECT_LE(observer.estimate().resistance_ohm[1], 0.45 * 2.5) << factor;
     }
   }
-}
-
-/// A ball whose winding 1 has been found to have a fallen resistance, and that has rested since.
-class FallenAndRested {
- public:
-  FallenAndRested() {
-    for (int step = 0; step < 500; ++step) show(0.0);
-    for (int step = 0; step < 3000 && !fall().certain(); ++step) show(2.5);
-    was_certain = fall().certain();
-    for (int step = 0; step < 36'000; ++step) observer.step(quiet(25.0), kStepOfRestS);
-  }
-  /// 10 A, with a V/I that gives a winding temperature below the estimate.
-  void show(double below_k) {
-    observer.step(measurement(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0),
-                  kStepOfRestS);
-  }
-  const ResistanceFall& fall() const { return observer.fall(1); }
-
-  static constexpr double kStepOfRestS = 0.02;
-  ThermalObserver observer{CoilModel{}, ThermalModel{}, known(25.0)};
-  bool was_certain = false;
-};
-
-TEST(ThermalObserver, AFallIsClearedAfterARestByTheEarlierResistance) {
-  FallenAndRested ball;
-  ASSERT_TRUE(ball.was_certain);
-  for (int step = 0; step < 500; ++step) {
-    ball.show(0.0);
-    ASSERT_FALSE(ball.fall().certain()) << step;
-  }
-}
-
-TEST(ThermalObserver, AFallCountsAgainOnceTheResistanceAfterARestIsLower) {
-  FallenAndRested ball;
-  ASSERT_TRUE(ball.was_certain);
-  for (int step = 0; step < 30; ++step) ball.show(5.0);
-  EXPECT_TRUE(ball.fall().certain()) << "36 A^2s are enough";
-}
-
-TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
-  FallenAndRested ball;
-  ASSERT_TRUE(ball.was_certain);
-  ASSERT_TRUE(ball.observer.winding(1).rested());
-  EXPECT_FALSE(ball.fall().certain());
-  ThermalMeasurement unmeasured = measurement(1, 15.0, 25.0, 25.0);
-  unmeasured.current_measured[1] = false;
-  for (int step = 0; step < 100; ++step)
-    ball.observer.step(unmeasured, FallenAndRested::kStepOfRestS);
-  EXPECT_TRUE(ball.fall().certain()) << "warmed by more than what it may be compared after";
 }
 
 // A saved temperature that contradicts the thermistor gives no information about the other
