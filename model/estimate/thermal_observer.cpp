@@ -252,7 +252,7 @@ void ThermalObserver::follow_supply(const ThermalMeasurement& m, double dt_s) no
   const double drawn_a = std::abs(dot(m.voltage_v, m.current_a)) / m.supply_v;
   const double open_v = open_voltage(m.supply_v, drawn_a);
   if (supply_v_ == 0.0) supply_v_ = open_v;
-  supply_v_ += (open_v - supply_v_) * std::min(1.0, dt_s / kSupplySmoothS);
+  supply_v_ += (open_v - supply_v_) * dt_s / kSupplySmoothS;
   for (std::size_t i = 0; i < kCoils; ++i)
     if (thermometer_[i].comparing()) reference_supply_v_[i] = supply_v_;
 }

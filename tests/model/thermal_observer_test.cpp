@@ -101,6 +101,7 @@ TEST(ThermalObserver, AnImpossibleResistanceStaysWithinAFactorOfTwo) {
       EXPECT_GE(observer.estimate().resistance_ohm[1], 0.45 / 2.5) << factor;
       EXPECT_LE(observer.estimate().resistance_ohm[1], 0.45 * 2.5) << factor;
     }
+    EXPECT_EQ(observer.innovations(1).resistance_known, factor > 0.0) << factor;
   }
 }
 
