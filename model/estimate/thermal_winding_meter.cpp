@@ -67,8 +67,6 @@ double WindingMeter::noise() const noexcept {
   return std::hypot(accuracy_.noise_a * std::sqrt(weights_) / ii_, missed);
 }
 
-double WindingMeter::bias() const noexcept { return accuracy_.offset_a * std::abs(per_ampere()); }
-
 double WindingMeter::agitation() const noexcept {
   const double noise_a_s = accuracy_.noise_a / kTickSeconds;
   const double changes = std::max(0.0, dd_ - 2.0 * noise_a_s * noise_a_s * measured_s_);

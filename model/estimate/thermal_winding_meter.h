@@ -25,7 +25,7 @@ class WindingMeter {
 
   /// Advances by `dt_s` (at most 20 ms) with the measurements of its last millisecond, which
   /// represents all of it: mean bridge voltage, and currents at its start and end. With `measured`
-  /// false it only forgets.
+  /// false the earlier ones only lose weight.
   void step(double voltage_v, double before_a, double after_a, bool measured, double dt_s) noexcept;
 
   /// True while enough current has flowed recently: about 5 ms at 5 A, 45 ms at 1.5 A, or a pulse
@@ -33,10 +33,9 @@ class WindingMeter {
   bool valid() const noexcept { return valid_; }
   /// The resistance, ohm; the last valid one while not valid, 0 before the first.
   double resistance_ohm() const noexcept { return resistance_ohm_; }
-  /// Relative errors of the resistance, only while valid. `noise`: by current noise and, while
-  /// currents change, by an unsigned sensor; `bias`: the maximum by current offset.
+  /// Relative error of the resistance by current noise and, while currents change, by an unsigned
+  /// sensor; only while valid.
   double noise() const noexcept;
-  double bias() const noexcept;
   /// Relative decrease of the resistance per ampere of current offset; only while valid. 0 in a
   /// vibration, whose half periods cancel.
   double per_ampere() const noexcept { return ii_ > 0.0 ? offset_ / ii_ : 0.0; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/estimate/winding_thermometer.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hedgehog::model {
@@ -37,7 +36,7 @@ void WindingThermometer::step(const WindingReading& reading, double dt_s) noexce
     weight_a2s_ = weighted_ohm_ = weighted_per_ampere_ = 0.0;
   }
   const double warming_k = reading.loss_w * dt_s / joule_per_k_;
-  above_k_ += warming_k - above_k_ * std::min(1.0, dt_s / rest_s_);
+  above_k_ += warming_k - above_k_ * dt_s / rest_s_;
   warmed_k_ += warming_k;
   if (comparing_) compare(reading, dt_s);
 }

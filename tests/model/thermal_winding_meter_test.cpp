@@ -71,6 +71,13 @@ TEST(WindingMeter, ResetsWhenTheCurrentEnds) {
   EXPECT_NEAR(bench.meter.resistance_ohm(), 0.45, 0.01);
 }
 
+TEST(WindingMeter, ShowsNoCurrentBeforeItHasMeasuredAny) {
+  WindingMeter meter(1.5e-3);
+  EXPECT_EQ(meter.current_a(), 0.0);
+  meter.step(0.9, 2.0, 2.0, true, 1e-3);
+  EXPECT_NEAR(meter.current_a(), 2.0, 1e-9);
+}
+
 TEST(WindingMeter, UnmeasuredStepsAreIgnored) {
   WindingMeter meter(1.5e-3);
   for (int tick = 0; tick < 500; ++tick) meter.step(9.0, 5.0, 5.0, false, 1e-3);

@@ -22,6 +22,15 @@ struct WindingBench {
   double voltage_gain = 1.0;
   bool reference = true;
 
+  /// Heats the winding without measuring it, by `warmed_k` in all.
+  void warm(double warmed_k) {
+    WindingReading reading;
+    reading.loss_w = 45.0;
+    reading.reference = {celsius, reference};
+    const double joule_per_k = ThermalModel{}.winding_j_k[0];
+    const auto ticks = std::lround(warmed_k * joule_per_k / (reading.loss_w * kTickSeconds));
+    for (int i = 0; i < ticks; ++i) thermometer.step(reading, kTickSeconds);
+  }
   void drive(double current_a, double seconds) {
     const double ohm = resistance_at(Ohms(r25_ohm), Celsius(celsius)).value;
     WindingReading reading;
@@ -91,6 +100,34 @@ TEST(WindingThermometer, TakesNoReferenceWithoutAThermometerOrFromAWarmWinding) 
   bench.drive(0.0, 10.0);
   bench.drive(15.0, 1.0);
   EXPECT_EQ(bench.thermometer.r25_ohm(), r25) << "it has not cooled yet";
+}
+
+/// A reference for which 10 A were measured for `seconds` until the winding was 3 K warmer than at
+/// its rest.
+bool referenced_after(double seconds) {
+  WindingBench bench;
+  bench.thermometer.start_rested();
+  bench.warm(3.0 - 45.0 * seconds / ThermalModel{}.winding_j_k[0]);
+  bench.drive(10.0, seconds + 0.1);
+  return bench.thermometer.referenced();
+}
+
+TEST(WindingThermometer, AWarmedWindingNeedsTwentyAmpereSquaredSeconds) {
+  EXPECT_FALSE(referenced_after(0.15));
+  EXPECT_TRUE(referenced_after(0.25));
+}
+
+TEST(WindingThermometer, RestsTwiceAsLongWithTwiceTheThermalResistance) {
+  const auto rest_s = [](double winding_to_core_k_w) {
+    ThermalModel thermal;
+    thermal.winding_to_core_k_w[2] = winding_to_core_k_w;
+    WindingBench bench;
+    bench.thermometer = WindingThermometer(CoilModel{}, thermal, 2);
+    double seconds = 0.0;
+    for (; !bench.thermometer.rested() && seconds < 3600.0; seconds += 0.1) bench.drive(0.0, 0.1);
+    return seconds;
+  };
+  EXPECT_NEAR(rest_s(2.0) / rest_s(1.0), 2.0, 0.01);
 }
 
 TEST(WindingThermometer, AnOffsetCountsByHowFarTheCurrentIsFromItsReferences) {
