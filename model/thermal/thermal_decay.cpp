@@ -28,8 +28,8 @@ ThermalState decayed(const ThermalModel& model, const ThermalState& nodes, doubl
   using Nodes = Eigen::Matrix<double, kNodes, 1>;
   const double t = std::max(0.0, seconds);
   if (t == 0.0) return nodes;
-  Eigen::Matrix<double, kNodes, kNodes> conductance_w_k;
-  conductance_w_k.setZero();
+  using Square = Eigen::Matrix<double, kNodes, kNodes>;
+  Square conductance_w_k = Square::Zero();
   Nodes root_j_k;
   Nodes above_k;
   conductance_w_k(kCore, kCore) = 1.0 / model.core_to_ambient_still_k_w;
@@ -45,8 +45,8 @@ ThermalState decayed(const ThermalModel& model, const ThermalState& nodes, doubl
     above_k[coil] = nodes.winding_c[i] - ambient_c;
   }
   const Nodes per_root = root_j_k.cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, kNodes, kNodes>> modes(
-      per_root.asDiagonal() * conductance_w_k * per_root.asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<Square> modes(per_root.asDiagonal() * conductance_w_k *
+                                                    per_root.asDiagonal());
   const Nodes left = (-t * modes.eigenvalues().cwiseMax(0.0)).array().exp();
   const Nodes amplitude = modes.eigenvectors().transpose() * root_j_k.cwiseProduct(above_k);
   const Nodes later_k = per_root.cwiseProduct(modes.eigenvectors() * left.cwiseProduct(amplitude));

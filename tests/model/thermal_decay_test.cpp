@@ -109,7 +109,9 @@ TEST(Decay, CoolsAndNeverBelowTheAmbient) {
 }
 
 TEST(Decay, IsTheLimitOfSmallSteps) {
-  const ThermalModel ball;
+  ThermalModel ball;
+  ball.winding_j_k = {30.0, 60.0, 90.0};
+  ball.winding_to_core_k_w = {0.5, 1.0, 2.0};
   const ThermalState hot{{50.0, 60.0, 55.0}, 45.0};
   ThermalState stepped = hot;
   HeatLoad load;
