@@ -185,7 +185,7 @@ TEST(ThermalFilter, AThermistorFollowsItsWindingToTwoFifthsAtLeast) {
     const double ohm = 1.0 + kCopperPerKelvin * (filter.winding_c(0) - 25.0);
     filter.resistance(0, std::log(ohm), kMeter, 0.1);
   };
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 20'000; ++i) {
     window();
     filter.thermistor(0, filter.thermistor_c(0) + filter.thermistor_offset_k(0) - 1.5);
   }

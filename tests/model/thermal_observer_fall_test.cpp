@@ -62,15 +62,23 @@ TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
   EXPECT_TRUE(ball.fall().certain()) << "warmed by more than what it may be compared after";
 }
 
+/// Whether it is certain when it has taken its reference, at a V/I that is `below_k` too cool.
+bool certain_when_referenced(FallenAndRested& ball, double below_k) {
+  for (int step = 0; step < 100 && !ball.observer.winding(1).referenced(); ++step)
+    ball.show(below_k);
+  EXPECT_TRUE(ball.observer.winding(1).referenced());
+  return ball.fall().certain();
+}
+
 TEST(ThermalObserver, BeforeItsFirstReferenceAFallIsComparedWithTheDeviceFile) {
   FallenAndRested same(false);
   ASSERT_TRUE(same.was_certain);
-  for (int step = 0; step < 500; ++step) same.show(0.0);
-  EXPECT_TRUE(same.observer.winding(1).referenced());
-  EXPECT_FALSE(same.fall().certain());
+  EXPECT_FALSE(certain_when_referenced(same, 0.0));
   FallenAndRested lower(false);
-  for (int step = 0; step < 30; ++step) lower.show(15.0);
-  EXPECT_TRUE(lower.fall().certain());
+  EXPECT_TRUE(certain_when_referenced(lower, 15.0));
+  FallenAndRested sound(false);
+  sound.observer = ThermalObserver(CoilModel{}, ThermalModel{}, known(25.0));
+  EXPECT_FALSE(certain_when_referenced(sound, 15.0)) << "not by these measurements alone";
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ TEST(ThermalObserver, MarksAWindingMeasuredWithinTensOfMillisecondsAndOnlyThatOn
   EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{}));
   for (int tick = 0; tick < 50; ++tick) observer.step(measurement(1, 5.0, 40.0, 40.0));
   EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{false, true, false}));
+  EXPECT_EQ(observer.estimate().measuring, (std::array<bool, kCoils>{false, true, false}));
   for (int tick = 0; tick < 1000; ++tick) observer.step(measurement(0, 1.0, 40.0, 40.0));
   EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{false, true, false}))
       << "below 1.5 A V/I says nothing; what was measured stays measured";
@@ -84,6 +85,20 @@ TEST(ThermalObserver, ASilentThermistorNeverMakesItCoolerAndSoonCountsAsHot) {
   EXPECT_GT(observer.estimate().hottest_c, 57.0);
 }
 
+TEST(ThermalObserver, OneReadingOfAThermistorInAWindowIsUsed) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
+  const auto used_with_readings = [&](int readings) {
+    for (int tick = 0; tick < 100; ++tick) {
+      ThermalMeasurement m = quiet(25.0);
+      m.thermistors.valid[0] = tick < readings;
+      observer.step(m);
+    }
+    return observer.innovations(0).thermistor_known;
+  };
+  EXPECT_TRUE(used_with_readings(1));
+  EXPECT_FALSE(used_with_readings(0));
+}
+
 TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsAllowed) {
   ThermalObserver observer;
   ThermalMeasurement silent;
@@ -92,8 +107,8 @@ TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsAllowed) {
 }
 
 TEST(ThermalObserver, AnImpossibleResistanceStaysWithinAFactorOfTwo) {
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (const double factor : {-1.0, 0.0, 0.01, 100.0}) {
+    ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
     for (int tick = 0; tick < 1000; ++tick) {
       ThermalMeasurement m = measurement(1, 10.0, 25.0, 25.0);
       m.voltage_v[1] *= factor;
