@@ -75,10 +75,10 @@ TEST(ThermalObserver, BeforeItsFirstReferenceAFallIsComparedWithTheDeviceFile) {
   ASSERT_TRUE(same.was_certain);
   EXPECT_FALSE(certain_when_referenced(same, 0.0));
   FallenAndRested lower(false);
-  EXPECT_TRUE(certain_when_referenced(lower, 15.0));
+  EXPECT_TRUE(certain_when_referenced(lower, 11.5));
   FallenAndRested sound(false);
   sound.observer = ThermalObserver(CoilModel{}, ThermalModel{}, known(25.0));
-  EXPECT_FALSE(certain_when_referenced(sound, 15.0)) << "not by these measurements alone";
+  EXPECT_FALSE(certain_when_referenced(sound, 11.5)) << "not by these measurements alone";
 }
 
 }  // namespace
