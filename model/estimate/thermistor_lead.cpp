@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/estimate/thermistor_lead.h"
 
-#include <algorithm>
-
 namespace hedgehog::model {
 namespace {
 
@@ -20,8 +18,8 @@ void ThermistorLead::step(bool valid, double shown_c, double dt_s) noexcept {
   if (!read_ || lost()) fast_c_ = slow_c_ = shown_c;
   read_ = true;
   invalid_s_ = 0.0;
-  fast_c_ += (shown_c - fast_c_) * std::min(1.0, dt_s / kFastS);
-  slow_c_ += (fast_c_ - slow_c_) * std::min(1.0, dt_s / kSlowS);
+  fast_c_ += (shown_c - fast_c_) * dt_s / kFastS;
+  slow_c_ += (fast_c_ - slow_c_) * dt_s / kSlowS;
   const double slope_k_s = (fast_c_ - slow_c_) / kSlowS;
   celsius_ = fast_c_ + (kLeadS + kFastS) * slope_k_s;
 }

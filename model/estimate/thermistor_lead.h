@@ -15,7 +15,8 @@ class ThermistorLead {
   explicit ThermistorLead(double celsius) noexcept
       : fast_c_(celsius), slow_c_(celsius), celsius_(celsius) {}
 
-  /// Advances by `dt_s` with the reading `shown_c`, which counts if it is `valid` (and finite).
+  /// Advances by `dt_s`, at most 20 ms, with the reading `shown_c`, which counts if it is `valid`
+  /// (and finite).
   void step(bool valid, double shown_c, double dt_s) noexcept;
 
   /// With the lead, and only smoothed, C.
