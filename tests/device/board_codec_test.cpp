@@ -63,6 +63,16 @@ TEST(Crc32, GivesTheCheckValueOfItsDefinition) {
             0xCBF43926u);
 }
 
+TEST(Crc32, OfEachLengthUpToTwoSteps) {
+  const std::string_view letters = "abcdefgh";
+  const std::uint32_t expected[] = {0,           0xE8B7BE43u, 0x9E83486Du, 0x352441C2u, 0xED82CD11u,
+                                    0x8587D865u, 0x4B8E39EFu, 0x312A6AA6u, 0xAEEF2A50u};
+  for (std::size_t length = 0; length <= letters.size(); ++length)
+    EXPECT_EQ(board::crc32(reinterpret_cast<const std::uint8_t*>(letters.data()), length),
+              expected[length])
+        << length;
+}
+
 TEST(GoldenFrame, SetPoint) {
   BoardCommand command =
       BoardCommand::drive(limited({5, 0, -3}), kColdOhm, 1.5e-3, {5, 0, -3}, 12.0);
