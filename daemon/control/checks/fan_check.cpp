@@ -5,6 +5,20 @@
 
 namespace hedgehog::control {
 
+Reason FanCheck::step(bool commanded, double rpm, double dt_s) noexcept {
+  const bool stalled = commanded && !(rpm >= kMinRpm);
+  if (!stalled) stalled_.reset();  // one turn proves that it is not seized
+  due_ = stalled_.step(stalled, dt_s, kHoldS);
+  return due_ ? Reason::kFanStopped : Reason::kNone;
+}
+
+void FanCheck::reset() noexcept {
+  stalled_.reset();
+  due_ = false;
+}
+
+bool FanCheck::cooling() const noexcept { return cooling_s_ >= kCoolingHoldS; }
+
 void FanCheck::follow(const FanReading& reading, double dt_s) noexcept {
   age_s_ = reading.fresh ? 0.0 : age_s_ + dt_s;
   if (age_s_ > kMaxAgeS) cooling_s_ = 0.0;

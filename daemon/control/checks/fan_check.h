@@ -40,24 +40,17 @@ class FanCheck {
 
   /// Advances by `dt_s`: whether the fan is commanded to turn, and the tachometer reading of fresh
   /// telemetry.
-  Reason step(bool commanded, double rpm, double dt_s) noexcept {
-    const bool stalled = commanded && !(rpm >= kMinRpm);
-    if (!stalled) stalled_.reset();  // one turn proves that it is not seized
-    due_ = stalled_.step(stalled, dt_s, kHoldS);
-    return due_ ? Reason::kFanStopped : Reason::kNone;
-  }
+  Reason step(bool commanded, double rpm, double dt_s) noexcept;
   /// Advances by `dt_s`; called in every tick.
   void follow(const FanReading& reading, double dt_s) noexcept;
-  void reset() noexcept {
-    stalled_.reset();
-    due_ = false;
-  }
+  /// Restarts the time for which the fan may stand.
+  void reset() noexcept;
   /// The fan is driven and did not turn in the last tick.
   bool stalled() const noexcept { return stalled_.pending(); }
   /// The fan has not turned for 3 s while driven.
   bool stopped() const noexcept { return due_; }
   /// The fan is credited with cooling the core.
-  bool cooling() const noexcept { return cooling_s_ >= kCoolingHoldS; }
+  bool cooling() const noexcept;
   /// False after the driven fan's speed was out of range for 10 s; true again when the fan is
   /// credited with cooling.
   bool works() const noexcept { return works_; }
