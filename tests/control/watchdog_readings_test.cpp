@@ -202,5 +202,31 @@ TEST(WatchdogReadings, AThermistorIsComparedWithVIWithinTheErrorOfTheCurrents) {
   }
 }
 
+/// A ball whose thermistors, `count` of them, are read; that of winding 2 shows `celsius` after a
+/// while.
+Watched with_thermistors(int count, double celsius) {
+  Watched ball;
+  ball.board.thermistors = count;
+  for (device::Thermistor& one : ball.board.thermistor)
+    one = {device::ThermistorState::kRead, 25.0};
+  ball.run(100);
+  ball.board.thermistor[2].celsius = celsius;
+  return ball;
+}
+
+TEST(WatchdogReadings, TheThermistorOfEachWindingIsChecked) {
+  Watched jumped = with_thermistors(3, 35.0);
+  EXPECT_EQ(name(jumped.run(25)), "measurements_disagree");
+  EXPECT_EQ(jumped.watchdog.disagreement(),
+            (Disagreement{2, Quantity::kThermistor, Quantity::kHeatBalance}));
+  Watched warmer = with_thermistors(3, 28.0);
+  EXPECT_EQ(name(warmer.run(200)), "none");
+  Watched only_one = with_thermistors(1, 35.0);
+  EXPECT_EQ(name(only_one.run(200)), "none") << "there is none on winding 2";
+  Watched unarmed = with_thermistors(3, 35.0);
+  unarmed.armed = false;
+  EXPECT_EQ(name(unarmed.run(200)), "none");
+}
+
 }  // namespace
 }  // namespace hedgehog::control

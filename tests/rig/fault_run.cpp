@@ -26,6 +26,19 @@ void follow(FaultResult& result, double hottest_c, double dt_s) noexcept {
   if (hottest_c > 75.0) result.above_75_s += dt_s;
 }
 
+/// Plays 15 A along the winding until it has the temperature at which the fault starts, at most a
+/// minute.
+void warm(Rig& rig, control::EffectId effect, const ThermalFault& fault) {
+  model::Vec3 along;
+  along[fault.winding] = 1.0;
+  for (int second = 0; second < 60; ++second) {
+    if (rig.plant().heat().winding_c[static_cast<std::size_t>(fault.winding)] >= fault.from_c)
+      return;
+    rig.update(effect, hold(along, 15.0));
+    rig.run(1000);
+  }
+}
+
 FaultResult run_stuck_line(const ThermalFault& fault, const ThermalBallOptions& ball) {
   constexpr int kTicks = 20'000;
   constexpr model::Tick kPlayedBefore = 200;
@@ -37,6 +50,8 @@ FaultResult run_stuck_line(const ThermalFault& fault, const ThermalBallOptions& 
   model::Vec3 along;
   along[fault.winding] = 1.0;
   const auto effect = rig.start(hold(along, fault.requested_a));
+  warm(rig, effect, fault);
+  rig.update(effect, hold(along, fault.requested_a));
   rig.run(kPlayedBefore);
   rig.board().set_errors(errors_of(fault));
   const bool should_be_idle = fault.error.coil != fault.winding;

@@ -67,7 +67,7 @@ void add_currents(FaultList& list) {
     }
     list.add(SimulatorErrorKind::kCurrentOffsetA, offset_a, 0, kCold, 15);
   }
-  for (const double gain : {0.9, 0.93, 0.95, 0.97, 1.03, 1.05, 1.07, 1.1}) {
+  for (const double gain : {0.88, 0.9, 0.93, 0.95, 0.97, 1.03, 1.05, 1.07, 1.1}) {
     for (const double a : {8.0, 15.0}) {
       list.add(SimulatorErrorKind::kSupplyGain, gain, 0, kCold, a);
       list.add(SimulatorErrorKind::kSupplyGain, gain, 0, 50, a);
@@ -89,7 +89,7 @@ void add_thermistors(FaultList& list) {
 }
 
 void add_thermal(FaultList& list) {
-  for (const double gain : {0.3, 0.5, 1.5}) {
+  for (const double gain : {0.25, 0.3, 0.5, 1.5}) {
     for (const double a : {6.0, 15.0})
       list.add(SimulatorErrorKind::kCoolingGain, gain, 0, 45, a, 25, 20);
     list.add(SimulatorErrorKind::kCoolingGain, gain, 300, 45, 15, 25, 20);
@@ -105,9 +105,11 @@ void add_thermal(FaultList& list) {
 /// Stuck lines of the next winding, which should be idle, and of the one in use.
 void add_stuck_lines(FaultList& list) {
   for (const double duty : {-1.0, -0.3, 0.1, 0.3, 0.5, 1.0}) {
-    list.add(SimulatorErrorKind::kPwmStuck, duty, 0, kCold, 5);
-    list.faults.back().error.coil = static_cast<std::uint8_t>((list.winding + 1) % model::kCoils);
-    list.add(SimulatorErrorKind::kPwmStuck, duty, 0, kCold, 5);
+    for (const double from_c : {kCold, 50.0}) {
+      list.add(SimulatorErrorKind::kPwmStuck, duty, 0, from_c, 5);
+      list.faults.back().error.coil = static_cast<std::uint8_t>((list.winding + 1) % model::kCoils);
+      list.add(SimulatorErrorKind::kPwmStuck, duty, 0, from_c, 5);
+    }
   }
 }
 

@@ -2,6 +2,9 @@
 // Every fault of the simulated board during an effect: the safe command within the allowed ticks,
 // zero current at the plant after 5 L/R, the named latch, one event.
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
@@ -21,8 +24,6 @@ struct Fault {
   model::Tick within;  // ticks from the fault to the safe command at the bridge
 };
 
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
-
 // Two added ticks: one for the telemetry, one for the command.
 const Fault kFaults[] = {
     {"SensorOpen", device::kSimSensorOpen, 0, {1, 0, 0}, 5.0, Reason::kSensorOpen, 25 + 2},
@@ -39,11 +40,71 @@ const Fault kFaults[] = {
     {"SupplyLow", device::kSimSupplyLow, 0, {1, 0, 0}, 3.0, Reason::kBoardSupply, 10 + 2},
 };
 
-class HardwareFault : public ::testing::TestWithParam<Fault> {};
+/// A fault on one of the windings, of a ball that is cold or warm.
+struct FaultCase {
+  Fault fault;
+  device::FrontEndKind front_end;
+  double start_c;
+};
+
+void PrintTo(const FaultCase& one, std::ostream* out) {
+  *out << one.fault.name << " of "
+       << "xyz"[one.fault.coil] << ", " << device::name(one.front_end) << ", from " << one.start_c
+       << " C";
+}
+
+/// With other windings in the same order.
+Fault turned(Fault fault, int by) {
+  model::Vec3 along;
+  for (int coil = 0; coil < model::kCoils; ++coil)
+    along[(coil + by) % model::kCoils] = fault.along[coil];
+  fault.along = along;
+  fault.coil = (fault.coil + by) % model::kCoils;
+  return fault;
+}
+
+/// `fault` on the windings that are `by` further, and what is reported there.
+FaultCase fault_case(Fault fault, device::FrontEndKind front_end, int by, double start_c) {
+  const bool in_line = front_end == device::FrontEndKind::kInLine;
+  // Only the device file's thermistor has reasons of its own; those of other windings contradict
+  // their V/I.
+  const bool by_comparison = fault.reason == Reason::kSensorJump ||
+                             fault.reason == Reason::kSensorFrozen ||
+                             fault.reason == Reason::kSensorDisagrees;
+  if (by > 0 && by_comparison) fault.reason = Reason::kMeasurementsDisagree;
+  // A driver's sensor shows a current that is missing as one that is not measured.
+  if (!in_line && fault.sim == device::kSimOpenWinding) fault.within = 30;
+  return {turned(fault, by), front_end, start_c};
+}
+
+std::vector<FaultCase> fault_cases() {
+  std::vector<FaultCase> cases;
+  for (const Fault& fault : kFaults)
+    for (const double start_c : {25.0, 44.0})
+      for (int by = 0; by < model::kCoils; ++by) {
+        cases.push_back(fault_case(fault, device::FrontEndKind::kInLine, by, start_c));
+        const bool thermistor = std::string_view(fault.name).starts_with("Sensor");
+        if (by == 0 || !thermistor)
+          cases.push_back(fault_case(fault, device::FrontEndKind::kDriverCs, by, start_c));
+      }
+  return cases;
+}
+
+class HardwareFault : public ::testing::TestWithParam<FaultCase> {
+ protected:
+  static rig::RigOptions options() {
+    rig::RigOptions options;
+    options.board.front_end.kind = GetParam().front_end;
+    options.board.start_c = GetParam().start_c;
+    options.control.start.winding_c.fill(GetParam().start_c);
+    options.control.start.core_c = GetParam().start_c;
+    return options;
+  }
+  const Fault& fault = GetParam().fault;
+  rig::Rig rig{options()};
+};
 
 TEST_P(HardwareFault, IsMadeSafeAndNamed) {
-  const Fault& fault = GetParam();
-  rig::Rig rig;
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold(fault.along, fault.current_a));
   rig.run(500);
@@ -71,8 +132,6 @@ TEST_P(HardwareFault, IsMadeSafeAndNamed) {
 }
 
 TEST_P(HardwareFault, ArmingWorksAgainWhenItIsRepairedAndCool) {
-  const Fault& fault = GetParam();
-  rig::Rig rig;
   rig.run_until_armed();
   const auto effect = rig.start(rig::hold(fault.along, fault.current_a));
   rig.run(500);
@@ -95,8 +154,13 @@ TEST_P(HardwareFault, ArmingWorksAgainWhenItIsRepairedAndCool) {
   EXPECT_NEAR(rig.current_a(), fault.current_a, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HardwareFault, ::testing::ValuesIn(kFaults),
-                         [](const auto& fault) { return fault.param.name; });
+INSTANTIATE_TEST_SUITE_P(Each, HardwareFault, ::testing::ValuesIn(fault_cases()),
+                         [](const auto& info) {
+                           const FaultCase& one = info.param;
+                           return std::string(one.fault.name) + "_" + "xyz"[one.fault.coil] + "_" +
+                                  std::string(device::name(one.front_end)) +
+                                  (one.start_c > 40.0 ? "_warm" : "_cold");
+                         });
 
 // A thermistor drifts while no winding carries enough current for a comparison: it is detected only
 // when its reading is out of range.

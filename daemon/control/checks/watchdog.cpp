@@ -2,7 +2,6 @@
 #include "daemon/control/checks/watchdog.h"
 
 #include <algorithm>
-#include <array>
 
 namespace hedgehog::control {
 namespace {
@@ -50,28 +49,30 @@ Watchdog::Watchdog(const model::CoilModel& coils, const model::ThermalModel& the
       fan_(thermal.fan_full_rpm),
       thermometer_(thermometer) {}
 
-SensorReading Watchdog::sensor_reading(const WatchdogInputs& in, double since_s) const noexcept {
+SensorReading Watchdog::sensor_reading(const WatchdogInputs& in, int coil,
+                                       double since_s) const noexcept {
   const device::BoardTelemetry& board = in.board;
-  const device::Thermistor thermistor = thermistor_on(board, sensor_winding_);
+  const device::Thermistor thermistor = thermistor_on(board, coil);
   const bool read = thermistor.state == device::ThermistorState::kRead;
   SensorReading reading;
   reading.fresh = in.fresh && thermistor.state != device::ThermistorState::kNone;
   reading.since_s = since_s;
   reading.sensor_c = thermistor.celsius;
   // A latched board still reports a wire that was broken; the reading shows whether it still is.
-  const bool live =
-      board.mode != device::BoardMode::kLatched || !read || !is_possible(reading.sensor_c);
+  // The board does not report whose wire.
+  const bool live = coil == sensor_winding_ && (board.mode != device::BoardMode::kLatched ||
+                                                !read || !is_possible(reading.sensor_c));
   reading.open = (live && (board.faults & device::kFaultSensorOpen) != 0) ||
                  thermistor.state == device::ThermistorState::kOpen;
   reading.shorted = (live && (board.faults & device::kFaultSensorShort) != 0) ||
                     thermistor.state == device::ThermistorState::kShorted;
   reading.conversions = board.sensor_conversions;
   // The temperature of a winding known by the device file only would jump when it is referenced.
-  reading.measuring = heat_.measuring(sensor_winding_) && heat_.referenced(sensor_winding_);
-  reading.winding_c = heat_.winding_c(sensor_winding_);
+  reading.measuring = heat_.measuring(coil) && heat_.referenced(coil);
+  reading.winding_c = heat_.winding_c(coil);
   if (reading.measuring) {
-    reading.winding_bias_k = heat_.bias_k(sensor_winding_);
-    reading.winding_error_k = heat_.noise_k(sensor_winding_) + reading.winding_bias_k;
+    reading.winding_bias_k = heat_.bias_k(coil);
+    reading.winding_error_k = heat_.noise_k(coil) + reading.winding_bias_k;
   }
   return reading;
 }
@@ -121,6 +122,22 @@ Disagreement Watchdog::check_supply(const WatchdogInputs& in, double dt_s) noexc
   return supply_.step(reading, dt_s);
 }
 
+Disagreement Watchdog::check_others(const WatchdogInputs& in, double since_s,
+                                    double dt_s) noexcept {
+  Disagreement found;
+  if (in.board.thermistors < 2) return found;
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    if (coil == sensor_winding_) continue;
+    const Reason reason = thermistor_checks_[static_cast<std::size_t>(coil)].step(
+        sensor_reading(in, coil, since_s), dt_s);
+    if (reason == Reason::kSensorFrozen || reason == Reason::kSensorDisagrees)
+      found = {coil, Quantity::kThermistor, Quantity::kResistance};
+    else if (reason == Reason::kSensorJump)
+      found = {coil, Quantity::kThermistor, Quantity::kHeatBalance};
+  }
+  return found;
+}
+
 Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const device::BoardTelemetry& board = in.board;
   board_.step(in.board_present, in.fresh, board, in.ticks);
@@ -131,26 +148,28 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   if (in.fresh) since_fresh_s_ = 0.0;
 
   thermistors_ = readable(board, sensor_winding_);
-  const SensorReading thermistor = sensor_reading(in, since_s);
-  const Reason sensor = sensor_.step(thermistor, dt_s);
+  const SensorReading thermistor = sensor_reading(in, sensor_winding_, since_s);
   const auto own = static_cast<std::size_t>(sensor_winding_);
+  const Reason sensor_fault = thermistor_checks_[own].step(thermistor, dt_s);
   thermistors_.valid[own] = !thermistor.open && !thermistor.shorted && thermistors_.valid[own];
   const Reason heat = heat_.step(heat_reading(in, since_s), in.trip_c, dt_s);
   const Reason current = current_.step(current_reading(in, since_s));
+  const Disagreement other = check_others(in, since_s, dt_s);
   const Disagreement supply = check_supply(in, dt_s);
-  if (supply.any()) disagreement_ = supply;
+  const Disagreement contradiction = other.any() ? other : supply;
+  if (contradiction.any()) disagreement_ = contradiction;
   fan_.follow({in.fresh, board.fan_duty, board.fan_rpm}, in.fresh ? since_s : dt_s);
   const Reason fan =
       in.fresh ? fan_.step(in.commanded.fan > 0, board.fan_rpm, since_s) : Reason::kNone;
   const Reason thermometer = thermometer_.step(
-      {in.thermometer, in.now, sensor_.usable(), thermistor.sensor_c, in.trip_c}, dt_s);
+      {in.thermometer, in.now, sensor().usable(), thermistor.sensor_c, in.trip_c}, dt_s);
 
   // The cause before its consequences: a broken bridge also causes a wrong current.
   const std::array found{board_.fault(),
-                         sensor,
+                         sensor_fault,
                          heat,
                          current,
-                         supply.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
+                         contradiction.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
                          fan,
                          thermometer};
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -164,7 +183,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
 
 Reason Watchdog::arming_blocker() const noexcept {
   if (!board_.alive()) return Reason::kNoBoard;
-  if (sensor_.arming_blocker() != Reason::kNone) return sensor_.arming_blocker();
+  if (sensor().arming_blocker() != Reason::kNone) return sensor().arming_blocker();
   if (current_.pending()) return Reason::kUnexpectedCurrent;
   return thermometer_.arming_blocker();
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The second layer of safety: all conditions that must stop the ball regardless of the limiter
-// (daemon/safety.md). Uses only the raw thermistor and its own filtered V/I.
+// (daemon/safety.md). Uses only the raw thermistors and its own filtered V/I.
 #pragma once
+
+#include <array>
 
 #include "daemon/control/checks/board_check.h"
 #include "daemon/control/checks/current_check.h"
@@ -60,7 +62,10 @@ class Watchdog {
   /// the second thermometer as they are now. Only the board clears the faults that it latches.
   Reason arming_blocker() const noexcept;
 
-  const ThermistorCheck& sensor() const noexcept { return sensor_; }
+  /// The thermistor that the device file specifies.
+  const ThermistorCheck& sensor() const noexcept {
+    return thermistor_checks_[static_cast<std::size_t>(sensor_winding_)];
+  }
   const BoardCheck& board() const noexcept { return board_; }
   const OverTemperatureCheck& heat() const noexcept { return heat_; }
   const FanCheck& fan() const noexcept { return fan_; }
@@ -77,17 +82,20 @@ class Watchdog {
   }
 
  private:
-  SensorReading sensor_reading(const WatchdogInputs& in, double since_s) const noexcept;
+  /// The thermistor of winding `coil`.
+  SensorReading sensor_reading(const WatchdogInputs& in, int coil, double since_s) const noexcept;
   HeatReading heat_reading(const WatchdogInputs& in, double since_s) const noexcept;
   CurrentReading current_reading(const WatchdogInputs& in, double since_s) const noexcept;
   Disagreement check_supply(const WatchdogInputs& in, double dt_s) noexcept;
+  /// The thermistors besides that of `sensor()`, on boards with one on each winding.
+  Disagreement check_others(const WatchdogInputs& in, double since_s, double dt_s) noexcept;
 
   int sensor_winding_ = 0;
   model::ThermistorReadings thermistors_;
   SupplyBalance supply_;
   Disagreement disagreement_;
   double since_fresh_s_ = 0.0;  // since the last telemetry
-  ThermistorCheck sensor_;
+  std::array<ThermistorCheck, model::kCoils> thermistor_checks_{};
   OverTemperatureCheck heat_;
   CurrentCheck current_;
   FanCheck fan_;
