@@ -445,9 +445,6 @@ waiting:
 	@cmake/each_target.sh test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' \
 	  test-install test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release
 
-# Whose mutants have all been tested; what survives in the other files of tests/mutations/scope.txt is not known in full.
-MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp control/checks/ state_machine.cpp control/controller.cpp \
-  current_prediction.cpp control/drive winding_visibility
 check-in-ci:
 	@$(MAKE) --no-print-directory check CHECKS='tidy-product alone-third'
 fuzz-in-ci:
@@ -455,14 +452,14 @@ fuzz-in-ci:
 guards-in-ci firmware-guards-in-ci: %-in-ci:
 	@$(MAKE) --no-print-directory $* ARGS=--third
 mutations-in-ci:
-	@$(MAKE) --no-print-directory mutations ARGS='--changed $(MUTATED:%=--file %)'
+	@$(MAKE) --no-print-directory mutations ARGS=--changed
 
 # On a slow machine the last of these have no time: which those are changes from day to day.
-BY_TURNS := check-in-ci fuzz-in-ci asan-programs tsan-programs guards-in-ci firmware-guards-in-ci mutations-in-ci coverage
+BY_TURNS := check-in-ci fuzz-in-ci asan-programs tsan-programs guards-in-ci firmware-guards-in-ci
 TURN := $(shell expr $$(date +%s) / 86400 % $(words $(BY_TURNS)))
 TODAY := $(wordlist $(shell expr $(TURN) + 1),$(words $(BY_TURNS)),$(BY_TURNS)) $(wordlist 1,$(TURN),$(BY_TURNS))
 computing:
-	@cmake/each_target.sh shipped instructions faults-ci asan-tests tsan-tests $(TODAY)
+	@cmake/each_target.sh mutations-in-ci coverage shipped instructions faults-ci asan-tests tsan-tests $(TODAY)
 
 # What is quick and fails often comes first.
 test-all: $(TEST_DEPS)

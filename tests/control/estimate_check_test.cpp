@@ -140,5 +140,23 @@ TEST(EstimateCheck, ADeviatingThermistorThatIsLostDoesNotAddUp) {
   }
 }
 
+TEST(EstimateCheck, AFallOfVIThatTheSupplysReadingExplainsNamesThat) {
+  Followed ball(30.0);
+  ball.supply_known = true;
+  const auto read = [&](double gain) {
+    ball.r25_gain = gain;
+    ball.supply_v = 12.0 * gain;
+    ball.show(kDriven, ball.winding_c());
+    return ball.tick(6.0, ball.winding_c());
+  };
+  for (int i = 0; i < 8000; ++i) ASSERT_EQ(name(read(1.0)), "none");
+  int i = 0;
+  Reason found = Reason::kNone;
+  ticks_until_found([&] { return read(1.0 - 0.03 * ++i / 19'000); }, found);
+  EXPECT_EQ(name(found), "measurements_disagree");
+  EXPECT_EQ(ball.disagreement(),
+            (Disagreement{kDriven, Quantity::kSupplyVoltage, Quantity::kHeatBalance}));
+}
+
 }  // namespace
 }  // namespace hedgehog::control

@@ -67,6 +67,18 @@ TEST(FanCooling, TheTimeToStartBeginsAnewOnceItHasTurned) {
   EXPECT_FALSE(after(10.5, slow, turned).works());
 }
 
+TEST(FanCooling, AResetClearsTheFaultOfAStoppedFan) {
+  FanCheck check;
+  Reason found = Reason::kNone;
+  for (double t = 0.0; t < 3.1; t += kTickSeconds) found = check.step(true, 0.0, kTickSeconds);
+  EXPECT_EQ(name(found), "fan_stopped");
+  EXPECT_TRUE(check.stopped());
+  check.reset();
+  EXPECT_FALSE(check.stopped());
+  EXPECT_FALSE(check.stalled());
+  EXPECT_EQ(name(check.step(true, 0.0, kTickSeconds)), "none");
+}
+
 RC_GTEST_PROP(FanCooling, IsNeverCreditedOutsideItsRange, ()) {
   FanCheck check(7200.0);
   for (int i = 0; i < 2000; ++i) {
