@@ -208,7 +208,8 @@ void ThermalObserver::correct_winding(int coil) noexcept {
   // The derivative is that of the previous window: the same noise in a measurement and in its
   // derivative would bias offset and temperature in opposite directions.
   const double before = std::exchange(per_ampere_[i], meter.per_ampere());
-  const bool steady = std::abs(before - meter.per_ampere()) < kSteadyShare * meter.per_ampere();
+  const bool steady =
+      std::abs(before - meter.per_ampere()) < kSteadyShare * std::abs(meter.per_ampere());
   innovations.resistance_known = window_.always_measured[i] && meter.resistance_ohm() > 0.0;
   if (!innovations.resistance_known) return;
   const double log_ratio = std::log(meter.resistance_ohm() / coils_.r25_ohm[i]);

@@ -202,30 +202,61 @@ TEST(WatchdogReadings, AThermistorIsComparedWithVIWithinTheErrorOfTheCurrents) {
   }
 }
 
-/// A ball whose thermistors, `count` of them, are read; that of winding 2 shows `celsius` after a
-/// while.
-Watched with_thermistors(int count, double celsius) {
+/// A ball of whose `count` thermistors that of winding `coil` shows `celsius` after a while.
+Watched with_thermistors(int count, int coil, double celsius) {
   Watched ball;
   ball.board.thermistors = count;
   for (device::Thermistor& one : ball.board.thermistor)
     one = {device::ThermistorState::kRead, 25.0};
   ball.run(100);
-  ball.board.thermistor[2].celsius = celsius;
+  ball.board.thermistor[static_cast<std::size_t>(coil)].celsius = celsius;
   return ball;
 }
 
 TEST(WatchdogReadings, TheThermistorOfEachWindingIsChecked) {
-  Watched jumped = with_thermistors(3, 35.0);
-  EXPECT_EQ(name(jumped.run(25)), "measurements_disagree");
-  EXPECT_EQ(jumped.watchdog.disagreement(),
-            (Disagreement{2, Quantity::kThermistor, Quantity::kHeatBalance}));
-  Watched warmer = with_thermistors(3, 28.0);
-  EXPECT_EQ(name(warmer.run(200)), "none");
-  Watched only_one = with_thermistors(1, 35.0);
-  EXPECT_EQ(name(only_one.run(200)), "none") << "there is none on winding 2";
-  Watched unarmed = with_thermistors(3, 35.0);
+  for (const int sensor_winding : {0, 1, 2})
+    for (const int coil : {0, 1, 2}) {
+      Watched ball = with_thermistors(3, coil, 25.0);
+      model::ThermalModel thermal;
+      thermal.sensor_winding = sensor_winding;
+      ball.watchdog = Watchdog(model::CoilModel{}, thermal);
+      ball.run(100);
+      ball.board.thermistor[static_cast<std::size_t>(coil)].celsius = 35.0;
+      const Reason reason = ball.run(25);
+      if (coil == sensor_winding) {
+        EXPECT_EQ(name(reason), "sensor_jump");
+        continue;
+      }
+      EXPECT_EQ(name(reason), "measurements_disagree");
+      EXPECT_EQ(ball.watchdog.disagreement(),
+                (Disagreement{coil, Quantity::kThermistor, Quantity::kHeatBalance}));
+      EXPECT_EQ(name(ball.watchdog.arming_blocker()), "sensor_jump");
+    }
+}
+
+TEST(WatchdogReadings, OnlyTheThermistorsOfTheBoardAreChecked) {
+  EXPECT_EQ(name(with_thermistors(2, 1, 35.0).run(200)), "measurements_disagree");
+  EXPECT_EQ(name(with_thermistors(2, 2, 35.0).run(2000)), "none");
+  Watched one = with_thermistors(1, 1, 35.0);
+  EXPECT_EQ(name(one.run(2000)), "none");
+  EXPECT_EQ(name(one.watchdog.arming_blocker()), "none");
+}
+
+TEST(WatchdogReadings, AWarmerThermistorAndAnUnarmedBallDoNotTrip) {
+  EXPECT_EQ(name(with_thermistors(3, 2, 28.0).run(200)), "none");
+  Watched unarmed = with_thermistors(3, 2, 35.0);
   unarmed.armed = false;
   EXPECT_EQ(name(unarmed.run(200)), "none");
+}
+
+TEST(WatchdogReadings, AThermistorThatIsImplausibleOrNoLongerSentIsLost) {
+  Watched implausible = with_thermistors(3, 2, -25.0);
+  EXPECT_EQ(name(implausible.run(50)), "measurements_disagree");
+  Watched missing = with_thermistors(3, 2, 25.0);
+  missing.board.thermistor[2].state = device::ThermistorState::kNone;
+  EXPECT_EQ(name(missing.run(990)), "none");
+  EXPECT_EQ(name(missing.run(20)), "measurements_disagree");
+  EXPECT_EQ(missing.watchdog.disagreement().coil(), 2);
 }
 
 }  // namespace

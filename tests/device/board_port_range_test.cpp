@@ -3,7 +3,7 @@
 // broken wire; and every reading of the NTC as recorded.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "daemon/device/board_core/port.h"
@@ -128,6 +128,17 @@ std::int64_t ntc_sum(std::uint16_t pull_up_ohm) {
   return sum;
 }
 
+TEST(BoardPortRange, EachReadingOfTheNtcIsThatOfItsFormula) {
+  for (std::uint32_t adc = 700; adc < 64'000; ++adc) {
+    const double ohm = 10'000.0 * adc / (65535.0 - adc);
+    const double exact_c = 1.0 / (1.0 / 298.15 + std::log(ohm / 10'000.0) / 3950.0) - 273.15;
+    const double limit_k = exact_c >= 0.0 && exact_c <= 100.0 ? 0.2 : 0.6;
+    if (exact_c < -40.0 || exact_c > 125.0) continue;
+    ASSERT_NEAR(ntc_cc(static_cast<std::uint16_t>(adc), 65535, 10'000) / 100.0, exact_c, limit_k);
+  }
+}
+
+// To the last digit, so that a changed entry of the table is noticed.
 TEST(BoardPortRange, EachReadingOfTheNtcIsAsRecorded) {
   EXPECT_EQ(ntc_sum(10'000), 1'660'464'888'229);
   EXPECT_EQ(ntc_sum(2'200), 8'805'905'198'819);

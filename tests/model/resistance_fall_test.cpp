@@ -90,6 +90,21 @@ TEST(ResistanceFall, CountsAgainWhenNoReferenceIsTaken) {
   EXPECT_TRUE(fall.certain());
 }
 
+TEST(ResistanceFall, OneThatEndedByItselfDoesNotKeepTheFirstReferenceFromBeingTaken) {
+  ResistanceFall fall(kFileOhm, kFileDeviation);
+  fall.add(-3.0, false);
+  fall.rest();
+  fall.resume();
+  for (int i = 0; i < 10; ++i) fall.add(3.0, false);
+  fall.rest();
+  fall.compare({0.9 * kFileOhm, 0.1}, kOffsetA);
+  for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
+  ASSERT_TRUE(fall.certain());
+  fall.rest();
+  fall.compare({0.9 * kFileOhm, 0.1}, kOffsetA);
+  EXPECT_FALSE(fall.certain()) << "as at its first reference";
+}
+
 TEST(ResistanceFall, IsComparedWithTheResistanceBeforeItHoweverOftenTheWindingRests) {
   ResistanceFall fall = fallen();
   for (int rests = 0; rests < 3; ++rests) {

@@ -159,6 +159,24 @@ TEST(ThermalObserver, IgnoresTheSupplyBesideWhatIsNotMeasured) {
   EXPECT_NEAR(rise_after_k(m), rise_k, 0.5) << "V/I remains referenced at 12 V";
 }
 
+TEST(ThermalObserver, ACurrentInTheOtherDirectionIsMeasuredAsWell) {
+  const auto observed = [](double sign) {
+    ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
+    for (int tick = 0; tick < 5000; ++tick) {
+      // A small ripple, so that the derivatives of two windows differ.
+      const double current_a = sign * (5.0 + 0.2 * std::sin(0.07 * tick));
+      ThermalMeasurement m = measurement(1, current_a, 26.0, 25.0);
+      m.accuracy = kInLineAccuracy;
+      observer.step(m);
+    }
+    return observer.estimate();
+  };
+  const ThermalEstimate there = observed(1.0);
+  const ThermalEstimate back = observed(-1.0);
+  EXPECT_NEAR(there.nodes.winding_c[1], back.nodes.winding_c[1], 1e-9);
+  EXPECT_NEAR(there.upper_c[1], back.upper_c[1], 1e-9);
+}
+
 TEST(ThermalObserver, TheFilterIsUpdatedTenTimesASecondWhateverTheStep) {
   for (const auto& [dt_s, steps] : {std::pair{1e-3, 100}, {10e-3, 10}, {20e-3, 5}}) {
     ThermalObserver observer;

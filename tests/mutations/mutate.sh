@@ -66,10 +66,10 @@ export CCACHE_DISABLE=1 RC_PARAMS=seed=7
 scope_into "$work"
 
 # All mutants: file, judges, compiled, line, offset, length, put, mutation, text, text before.
-while IFS=$'\t' read -r file judges compiled; do
+while IFS=$'\t' read -r file judges compiled made; do
   awk -f tests/mutations/mutants.awk "$file" | sort -s -n -k1,1 |
-    awk -F '\t' -v head="$file"$'\t'"$judges"$'\t'"$compiled" -v header="$([ "$compiled" = "$file" ] || echo 1)" '
-      header && $6 !~ /constexpr/ && $6 ~ /^[A-Za-z_:<>0-9, ]+ [a-z0-9_]+(\[[A-Za-z]+\])?( = |\{)[-A-Za-z0-9.,'"\\'"' {}]*;/ { next }
+    awk -F '\t' -v head="$file"$'\t'"$judges"$'\t'"$compiled" -v made="$made" '
+      made == "elsewhere" && $6 !~ /constexpr/ && $6 ~ /^[A-Za-z_:<>0-9, ]+ [a-z0-9_]+(\[[A-Za-z]+\])?( = |\{)[-A-Za-z0-9.,'"\\'"' {}]*;/ { next }
       { print head "\t" $0 }'
 done <"$work/files" >"$work/all"
 

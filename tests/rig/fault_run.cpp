@@ -26,14 +26,13 @@ void follow(FaultResult& result, double hottest_c, double dt_s) noexcept {
   if (hottest_c > 75.0) result.above_75_s += dt_s;
 }
 
-/// Plays 15 A along the winding until it has the temperature at which the fault starts, at most a
-/// minute.
+/// Plays 15 A along the faulty winding until it has the temperature at which the fault starts, at
+/// most a minute.
 void warm(Rig& rig, control::EffectId effect, const ThermalFault& fault) {
   model::Vec3 along;
-  along[fault.winding] = 1.0;
+  along[fault.error.coil] = 1.0;
   for (int second = 0; second < 60; ++second) {
-    if (rig.plant().heat().winding_c[static_cast<std::size_t>(fault.winding)] >= fault.from_c)
-      return;
+    if (rig.plant().heat().winding_c[fault.error.coil] >= fault.from_c) return;
     rig.update(effect, hold(along, 15.0));
     rig.run(1000);
   }

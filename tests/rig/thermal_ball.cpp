@@ -121,22 +121,40 @@ void ThermalBall::step(const Vec3& peak_a, double rms) noexcept {
   run_checks(m, duty, supply_a, supply_read_v, fan_check_.step(fan_duty_ > 0.0, rpm, kStepS));
 }
 
-void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& duty,
-                             double supply_current_a, double supply_v, Reason fan) noexcept {
-  const auto own = static_cast<std::size_t>(thermal_.sensor_winding);
+Reason ThermalBall::check_thermistor(const model::ThermalMeasurement& m, int coil) noexcept {
+  const auto i = static_cast<std::size_t>(coil);
   control::SensorReading reading;
   reading.fresh = true;
-  reading.sensor_c = m.thermistors.celsius[own];
-  reading.conversions = ++conversions_;
-  reading.measuring =
-      heat_.measuring(thermal_.sensor_winding) && heat_.referenced(thermal_.sensor_winding);
-  reading.winding_c = heat_.winding_c(thermal_.sensor_winding);
+  reading.sensor_c = m.thermistors.celsius[i];
+  reading.conversions = conversions_;
+  reading.measuring = heat_.measuring(coil) && heat_.referenced(coil);
+  reading.winding_c = heat_.winding_c(coil);
   if (reading.measuring) {
-    reading.winding_bias_k = heat_.bias_k(thermal_.sensor_winding);
-    reading.winding_error_k = heat_.noise_k(thermal_.sensor_winding) + reading.winding_bias_k;
+    reading.winding_bias_k = heat_.bias_k(coil);
+    reading.winding_error_k = heat_.noise_k(coil) + reading.winding_bias_k;
   }
   reading.since_s = kStepS;
-  const Reason sensor = sensor_.step(reading, kStepS);
+  return thermistor_checks_[i].step(reading, kStepS);
+}
+
+Stop ThermalBall::check_thermistors(const model::ThermalMeasurement& m) noexcept {
+  ++conversions_;
+  Stop found;
+  found.reason = check_thermistor(m, thermal_.sensor_winding);
+  for (int coil = 0; coil < kCoils && m.thermistors.count() > 1; ++coil) {
+    if (coil == thermal_.sensor_winding) continue;
+    const Reason reason = check_thermistor(m, coil);
+    if (reason == Reason::kNone || found.any()) continue;
+    const bool jump = reason == Reason::kSensorJump;
+    found = {Reason::kMeasurementsDisagree,
+             {coil, Quantity::kThermistor, jump ? Quantity::kHeatBalance : Quantity::kResistance}};
+  }
+  return found;
+}
+
+void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& duty,
+                             double supply_current_a, double supply_v, Reason fan) noexcept {
+  const Stop thermistor = check_thermistors(m);
   control::HeatReading heat_reading;
   heat_reading.electrical = m.electrical_valid;
   heat_reading.voltage_v = m.voltage_v;
@@ -161,8 +179,8 @@ void ThermalBall::run_checks(const model::ThermalMeasurement& m, const Vec3& dut
   const Reason estimate = estimate_.step(observer_, supply_, model::Limits{}.trip_c, kStepS);
   fan_duty_ = fan_.step(observer_.estimate().hottest_c, norm(m.current_a), kStepS) / 255.0;
   if (stop_.any()) return;
-  if (sensor != Reason::kNone || heat != Reason::kNone) {
-    stop_.reason = sensor != Reason::kNone ? sensor : heat;
+  if (thermistor.any() || heat != Reason::kNone) {
+    stop_ = thermistor.any() ? thermistor : Stop{heat, {}};
   } else if (current.any()) {
     stop_ = {Reason::kMeasurementsDisagree, current};
   } else if (fan != Reason::kNone) {

@@ -4,6 +4,7 @@
 // (rig.h) is the reference for anything faster.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -71,6 +72,9 @@ class ThermalBall {
 
  private:
   model::ThermistorReadings read_thermistors() noexcept;
+  /// The thermistor of `coil` against its V/I.
+  control::Reason check_thermistor(const model::ThermalMeasurement& measurement, int coil) noexcept;
+  Stop check_thermistors(const model::ThermalMeasurement& measurement) noexcept;
   void run_checks(const model::ThermalMeasurement& measurement, const model::Vec3& duty,
                   double supply_current_a, double supply_v, control::Reason fan) noexcept;
 
@@ -85,7 +89,7 @@ class ThermalBall {
   model::ThermalLimiter limiter_{model::Limits{}};
   model::SkinEstimate skin_;
   bool skin_limits_ = false;
-  control::ThermistorCheck sensor_;
+  std::array<control::ThermistorCheck, model::kCoils> thermistor_checks_{};
   control::OverTemperatureCheck heat_;
   control::EstimateCheck estimate_;
   control::SupplyBalance supply_;

@@ -72,7 +72,7 @@ FaultCase fault_case(Fault fault, device::FrontEndKind front_end, int by, double
                              fault.reason == Reason::kSensorFrozen ||
                              fault.reason == Reason::kSensorDisagrees;
   if (by > 0 && by_comparison) fault.reason = Reason::kMeasurementsDisagree;
-  // A driver's sensor shows a current that is missing as one that is not measured.
+  // CS does not measure a bridge whose zero is drawn so low that it seems to be opposed.
   if (!in_line && fault.sim == device::kSimOpenWinding) fault.within = 30;
   return {turned(fault, by), front_end, start_c};
 }
@@ -121,6 +121,12 @@ TEST_P(HardwareFault, IsMadeSafeAndNamed) {
   if ((fault.sim & device::kSimStuckBridge) != 0) rig.run(25);
   expect_zero(rig, 0);
   expect_tripped(rig, fault.reason);
+  if (fault.reason == Reason::kMeasurementsDisagree) {
+    const control::Disagreement found = rig.controller().last_trip().disagreement;
+    EXPECT_EQ(found.coil(), fault.coil);
+    EXPECT_TRUE(found.has(control::Quantity::kThermistor));
+    EXPECT_EQ(found.has(control::Quantity::kResistance), fault.sim != device::kSimSensorJump);
+  }
 
   // It stays tripped for any request, and reports it once.
   rig.start(rig::hold(fault.along, fault.current_a));

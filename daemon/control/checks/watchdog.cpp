@@ -122,18 +122,23 @@ Disagreement Watchdog::check_supply(const WatchdogInputs& in, double dt_s) noexc
   return supply_.step(reading, dt_s);
 }
 
-Disagreement Watchdog::check_others(const WatchdogInputs& in, double since_s,
-                                    double dt_s) noexcept {
+Disagreement Watchdog::check_other_thermistors(const WatchdogInputs& in, double since_s,
+                                               double dt_s) noexcept {
   Disagreement found;
-  if (in.board.thermistors < 2) return found;
-  for (int coil = 0; coil < model::kCoils; ++coil) {
+  thermistor_count_ = std::min(in.board.thermistors, model::kCoils);
+  if (thermistor_count_ < 2) return found;
+  for (int coil = 0; coil < thermistor_count_; ++coil) {
     if (coil == sensor_winding_) continue;
-    const Reason reason = thermistor_checks_[static_cast<std::size_t>(coil)].step(
-        sensor_reading(in, coil, since_s), dt_s);
-    if (reason == Reason::kSensorFrozen || reason == Reason::kSensorDisagrees)
-      found = {coil, Quantity::kThermistor, Quantity::kResistance};
-    else if (reason == Reason::kSensorJump)
-      found = {coil, Quantity::kThermistor, Quantity::kHeatBalance};
+    ThermistorCheck& check = thermistor_checks_[static_cast<std::size_t>(coil)];
+    const Reason reason = check.step(sensor_reading(in, coil, since_s), dt_s);
+    // The board reports a broken wire, of any of them.
+    const bool wire = reason == Reason::kSensorOpen || reason == Reason::kSensorShort;
+    // Also one that the board no longer sends.
+    const bool lost = in.fresh && check.age_s() >= ThermistorCheck::kStaleAfterS;
+    if (found.any() || wire || (reason == Reason::kNone && !lost)) continue;
+    const bool by_winding = reason == Reason::kSensorFrozen || reason == Reason::kSensorDisagrees;
+    found = {coil, Quantity::kThermistor,
+             by_winding ? Quantity::kResistance : Quantity::kHeatBalance};
   }
   return found;
 }
@@ -154,10 +159,10 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   thermistors_.valid[own] = !thermistor.open && !thermistor.shorted && thermistors_.valid[own];
   const Reason heat = heat_.step(heat_reading(in, since_s), in.trip_c, dt_s);
   const Reason current = current_.step(current_reading(in, since_s));
-  const Disagreement other = check_others(in, since_s, dt_s);
+  const Disagreement thermistors = check_other_thermistors(in, since_s, dt_s);
   const Disagreement supply = check_supply(in, dt_s);
-  const Disagreement contradiction = other.any() ? other : supply;
-  if (contradiction.any()) disagreement_ = contradiction;
+  const Disagreement disagreement = thermistors.any() ? thermistors : supply;
+  if (disagreement.any()) disagreement_ = disagreement;
   fan_.follow({in.fresh, board.fan_duty, board.fan_rpm}, in.fresh ? since_s : dt_s);
   const Reason fan =
       in.fresh ? fan_.step(in.commanded.fan > 0, board.fan_rpm, since_s) : Reason::kNone;
@@ -169,7 +174,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
                          sensor_fault,
                          heat,
                          current,
-                         contradiction.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
+                         disagreement.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
                          fan,
                          thermometer};
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -184,6 +189,10 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
 Reason Watchdog::arming_blocker() const noexcept {
   if (!board_.alive()) return Reason::kNoBoard;
   if (sensor().arming_blocker() != Reason::kNone) return sensor().arming_blocker();
+  for (int coil = 0; coil < thermistor_count_ && thermistor_count_ > 1; ++coil) {
+    const Reason blocker = thermistor_checks_[static_cast<std::size_t>(coil)].arming_blocker();
+    if (blocker != Reason::kNone) return blocker;
+  }
   if (current_.pending()) return Reason::kUnexpectedCurrent;
   return thermometer_.arming_blocker();
 }

@@ -87,10 +87,13 @@ class Watchdog {
   HeatReading heat_reading(const WatchdogInputs& in, double since_s) const noexcept;
   CurrentReading current_reading(const WatchdogInputs& in, double since_s) const noexcept;
   Disagreement check_supply(const WatchdogInputs& in, double dt_s) noexcept;
-  /// The thermistors besides that of `sensor()`, on boards with one on each winding.
-  Disagreement check_others(const WatchdogInputs& in, double since_s, double dt_s) noexcept;
+  /// The thermistors besides that of `sensor()`, on boards with several.
+  Disagreement check_other_thermistors(const WatchdogInputs& in, double since_s,
+                                       double dt_s) noexcept;
 
   int sensor_winding_ = 0;
+  /// Of the board: 1, on `sensor_winding_`, or one on each of the first windings.
+  int thermistor_count_ = 1;
   model::ThermistorReadings thermistors_;
   SupplyBalance supply_;
   Disagreement disagreement_;
