@@ -44,6 +44,9 @@ FaultResult run_stuck_line(const ThermalFault& fault, const ThermalBallOptions& 
   RigOptions options;
   options.board = ball.board;
   options.control.uncertainty = ball.uncertainty;
+  options.control.start.winding_c.fill(ball.board.start_c);
+  options.control.start.core_c = ball.board.start_c;
+  options.control.start_ambient_c = ball.board.ambient_c;
   Rig rig(options);
   rig.run_until_armed();
   model::Vec3 along;
