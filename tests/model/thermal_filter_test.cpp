@@ -176,7 +176,7 @@ TEST(ThermalFilter, TakesNoCoolingForPossibleThatIsFarFromTheFile) {
   EXPECT_NEAR(cooling_found(0.1), std::exp(-1.2), 0.05);
 }
 
-TEST(ThermalFilter, AThermistorFollowsItsWindingToTwoFifthsAtLeast) {
+TEST(ThermalFilter, TheLostContactOfAThermistorIsLimitedToThreeFifths) {
   ThermalFilter filter = filter_at(25.0);
   double excess_k = 0.0;
   const auto window = [&] {
