@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/control/watched.h"
+#include "tests/rig/rig.h"
 
 namespace hedgehog::control {
 namespace {
@@ -240,6 +241,22 @@ TEST(WatchdogReadings, OnlyTheThermistorsOfTheBoardAreChecked) {
   Watched one = with_thermistors(1, 1, 35.0);
   EXPECT_EQ(name(one.run(2000)), "none");
   EXPECT_EQ(name(one.watchdog.arming_blocker()), "none");
+}
+
+TEST(WatchdogReadings, ASingleThermistorIsComparedWithItsOwnWindingOnly) {
+  rig::RigOptions options;
+  options.board.front_end.thermistors = 1;
+  options.board.plant.sensor_winding = 1;
+  options.control.thermal.sensor_winding = 1;
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  const auto effect = rig.start(rig::hold({1, 0, 0}, 12.0));
+  for (int second = 0; second < 20; ++second) {
+    rig.update(effect, rig::hold({1, 0, 0}, 12.0));
+    rig.run(1000);
+  }
+  EXPECT_GT(rig.plant().heat().winding_c[0], 40.0);
+  EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
 }
 
 TEST(WatchdogReadings, AWarmerThermistorAndAnUnarmedBallDoNotTrip) {
