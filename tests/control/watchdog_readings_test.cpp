@@ -43,6 +43,15 @@ TEST(WatchdogReadings, AFrameCountsForTheTimeSinceTheLastUpToTwentyMilliseconds)
   }
 }
 
+TEST(WatchdogReadings, TheSmallestFanDutyIsACommandToTurn) {
+  Watched ball = with_stopped_fan();
+  ball.commanded.fan = 1;
+  EXPECT_EQ(name(ball.run(3100)), "fan_stopped");
+  ball = with_stopped_fan();
+  ball.commanded.fan = 0;
+  EXPECT_EQ(name(ball.run(3100)), "none");
+}
+
 TEST(WatchdogReadings, AGapOfTheLoopCountsAsTwentyMilliseconds) {
   Watched ball = with_stopped_fan();
   int steps = 1;
