@@ -161,8 +161,8 @@ TEST_P(HardwareFault, ArmingWorksAgainWhenItIsRepairedAndCool) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, HardwareFault, ::testing::ValuesIn(fault_cases()),
-                         [](const auto& info) {
-                           const FaultCase& one = info.param;
+                         [](const auto& made) {
+                           const FaultCase& one = made.param;
                            return std::string(one.fault.name) + "_" + "xyz"[one.fault.coil] + "_" +
                                   std::string(device::name(one.front_end)) +
                                   (one.start_c > 40.0 ? "_warm" : "_cold");
