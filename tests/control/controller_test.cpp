@@ -148,6 +148,19 @@ TEST(Derating, IsReportedWhenItBeginsAndWhenItEnds) {
   EXPECT_LT(end->delivery.min, 0.99);
 }
 
+TEST(Derating, EndsHalfASecondAfterTheLastReduction) {
+  Derating derating;
+  derating.step(10.0, 9.96, 900);
+  EXPECT_FALSE(derating.active()) << "too little to be noticed";
+  derating.step(10.0, 9.9, 1000);
+  derating.step(10.0, 10.0, 1500);
+  EXPECT_TRUE(derating.active());
+  derating.step(10.0, 10.0, 1501);
+  EXPECT_FALSE(derating.active());
+  derating.step(0.5, 0.2, 3000);
+  EXPECT_TRUE(derating.active());
+}
+
 TEST(Derating, AStrengthBeyondTheConfiguredLimitIsNoDerating) {
   rig::Rig rig;
   rig.run_until_armed();

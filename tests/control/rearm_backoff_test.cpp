@@ -30,6 +30,7 @@ TEST(RearmBackoff, ThreeAreImmediateThenTheWaitDoubles) {
   EXPECT_EQ(after(4).wait(kReason, 0), 20 * kTicksPerSecond);
   EXPECT_EQ(after(8).wait(kReason, 0), 320 * kTicksPerSecond);
   EXPECT_EQ(after(9).wait(kReason, 0), 600 * kTicksPerSecond);
+  EXPECT_EQ(after(256).wait(kReason, 0), 600 * kTicksPerSecond) << "the count ends at 255";
   EXPECT_EQ(after(1000).wait(kReason, 0), 600 * kTicksPerSecond);
 }
 
@@ -46,6 +47,27 @@ TEST(RearmBackoff, IsOfTheSameReasonAndOfTripsOnly) {
   EXPECT_EQ(backoff.wait(Reason::kNone, 0), 0);
   for (int i = 0; i < 10; ++i) backoff.arm(Reason::kEmergencyStop, 0);
   EXPECT_EQ(backoff.wait(Reason::kEmergencyStop, 0), 0) << "whoever stops it may go on";
+}
+
+TEST(RearmBackoff, CountsTripsOnly) {
+  RearmBackoff backoff;
+  backoff.arm(Reason::kNone, 0);
+  backoff.arm(Reason::kEmergencyStop, 0);
+  EXPECT_EQ(backoff.counts(), RearmCounts{});
+  RearmCounts saved{};
+  saved[static_cast<std::size_t>(Reason::kEmergencyStop)] = 10;
+  EXPECT_EQ(RearmBackoff(saved).wait(Reason::kEmergencyStop, 0), 0);
+}
+
+TEST(RearmBackoff, OnlyTimeArmedCounts) {
+  RearmBackoff late = after(4);
+  late.arm(kReason, 400'000);
+  const RearmCounts armed = late.counts();
+  late.step(true, 400'001);
+  EXPECT_EQ(late.counts(), armed);
+  RearmBackoff backoff = after(4);
+  for (Tick now = 1; now < 2 * RearmBackoff::kResetAfter; now += 1000) backoff.step(false, now);
+  EXPECT_EQ(backoff.counts(), after(4).counts());
 }
 
 TEST(RearmBackoff, FiveMinutesArmedRemoveOneTrip) {
