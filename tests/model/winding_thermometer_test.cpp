@@ -44,6 +44,19 @@ struct WindingBench {
   }
 };
 
+TEST(WindingThermometer, IsReferencedByItsOwnThermistorWhereThereAreSeveral) {
+  ThermistorReadings readings;
+  readings.celsius = {21.0, 22.0, 23.0};
+  readings.valid = {true, true, false};
+  EXPECT_EQ(reference_of(readings, 1, 0, false).celsius, 22.0);
+  EXPECT_TRUE(reference_of(readings, 1, 0, false).valid);
+  EXPECT_FALSE(reference_of(readings, 2, 0, true).valid);
+  readings.valid = {true, false, false};
+  EXPECT_EQ(reference_of(readings, 1, 0, true).celsius, 21.0);
+  EXPECT_TRUE(reference_of(readings, 1, 0, true).valid);
+  EXPECT_FALSE(reference_of(readings, 1, 0, false).valid) << "another winding's, not at rest";
+}
+
 TEST(WindingThermometer, TakesItsReferenceWhereItRested) {
   for (const double share : {0.9, 1.0, 1.07}) {
     WindingBench bench;
