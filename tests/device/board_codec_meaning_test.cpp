@@ -105,6 +105,12 @@ TEST(BoardCodecMeaning, TheLimitsInForceAndTheFullerBudgetAreReported) {
   EXPECT_EQ(telemetry.heat_used, 0.4);
 }
 
+TEST(BoardCodecMeaning, AFrameOfAnotherTypeIsNotRead) {
+  const DecodedTelemetry other = decode_telemetry(encode_arm(1, 99));
+  EXPECT_EQ(other.error, board::FrameError::kType);
+  EXPECT_EQ(other.telemetry.sequence, 0u);
+}
+
 TEST(BoardCodecMeaning, OnlyAnotherThermistorOfTheBoardReplacesItsReading) {
   board::TelemetryFrame values = with_validity(5000);
   values.sensor_cc = 3000;
@@ -145,7 +151,8 @@ TEST(SimulatorErrorReader, CompletesAListOnceAllItsErrorsHaveArrived) {
 
 TEST(SimulatorErrorReader, IgnoresWhatCannotBe) {
   SimulatorErrorReader reader;
-  EXPECT_FALSE(reader.take(error_frame(1, 1, 1)).has_value());
+  EXPECT_FALSE(reader.take(error_frame(3, 1, 1)).has_value());
+  EXPECT_TRUE(reader.take(error_frame(3, 1, 0)).has_value());
   EXPECT_FALSE(reader.take(error_frame(1, 0, 0)).has_value());
   EXPECT_FALSE(reader.take(error_frame(1, 33, 0)).has_value());
   EXPECT_FALSE(reader.take(error_frame(1, 1, 0, 1, kSimulatorErrorKinds)).has_value());
