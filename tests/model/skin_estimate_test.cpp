@@ -42,8 +42,9 @@ RC_GTEST_PROP(CoreForecast, IsTheWarmestThatTheCoreGetsWithoutCurrent, ()) {
   heat.core_c = core_c;
   for (double& winding_c : heat.winding_c) winding_c = core_c + *between(0.0, 30.0);
   const bool fan = *rc::gen::arbitrary<bool>();
-  const ThermalModel thermal;
-  Plant plant(PlantParameters{}, ambient_c);
+  ThermalModel thermal;
+  thermal.winding_to_core_k_w.fill(*rc::gen::element(0.5, 1.0, 2.0));
+  Plant plant(PlantParameters::of(CoilModel{}, thermal), ambient_c);
   // the fan spins up
   for (int i = 0; i < 100; ++i) plant.step_thermal({}, fan ? 1.0 : 0.0, kStepS);
   plant.set_heat(heat);
@@ -63,6 +64,31 @@ TEST(CoreForecast, OfABallAtRestIsItsCore) {
   EXPECT_EQ(forecast_core_c({}, {}, 25.0, 1.8), 25.0);
   EXPECT_EQ(forecast_core_c({}, {{40, 40, 40}, 40.0}, 25.0, 1.8), 40.0);
   EXPECT_EQ(forecast_core_c({}, {{40, 40, 40}, 40.0}, 45.0, 1.8), 40.0) << "colder than its room";
+}
+
+TEST(CoreForecast, OfACoreAtTheAmbientRisesByTheHeatOfItsWindings) {
+  EXPECT_GT(forecast_core_c({}, {{60, 60, 60}, 25.0}, 25.0, 1.8), 30.0);
+}
+
+TEST(SkinInputs, AreOfTheFanAndTheCoolingThatTheFilterFound) {
+  ThermalModel thermal;
+  thermal.core_to_ambient_fan_k_w = 2.0;
+  thermal.core_to_ambient_still_k_w = 6.0;
+  EXPECT_EQ(SkinInputs::of(thermal, ThermalState{}, 21.0, true).to_ambient_k_w, 2.0);
+  EXPECT_EQ(SkinInputs::of(thermal, ThermalState{}, 21.0, false).to_ambient_k_w, 6.0);
+  EXPECT_EQ(SkinInputs::of(thermal, ThermalState{}, 21.0, false).ambient_c, 21.0);
+  FilterStart start;
+  start.nodes = {{50.0, 50.0, 50.0}, 50.0};
+  ThermalFilter filter(CoilModel{}, thermal, {}, start);
+  for (int i = 0; i < 6000; ++i) {
+    filter.predict({}, false, 0.1);
+    for (int coil = 0; coil < kCoils; ++coil) filter.thermistor(coil, 50.0);
+  }
+  ASSERT_LT(filter.cooling(), 0.9) << "it stays warm";
+  const SkinInputs in = SkinInputs::of(thermal, filter, false);
+  EXPECT_DOUBLE_EQ(in.to_ambient_k_w, 6.0 / filter.cooling());
+  EXPECT_EQ(in.deviation_k, filter.between_deviation_k(0.7));
+  EXPECT_GT(in.deviation_k, 0.0);
 }
 
 RC_GTEST_PROP(SkinEstimate, IsNeverBelowTheSkinOfAPlantThatMatches, ()) {
