@@ -82,6 +82,8 @@ TEST(RearmBackoff, FiveMinutesArmedRemoveOneTrip) {
   EXPECT_EQ(count(), 5);
   armed_for(1);
   EXPECT_EQ(count(), 4);
+  armed_for(RearmBackoff::kResetAfter - 1);
+  EXPECT_EQ(count(), 4) << "each takes five minutes";
   armed_for(10 * RearmBackoff::kResetAfter);
   EXPECT_EQ(count(), 0);
 
