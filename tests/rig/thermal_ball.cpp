@@ -143,11 +143,8 @@ Stop ThermalBall::check_thermistors(const model::ThermalMeasurement& m) noexcept
   found.reason = check_thermistor(m, thermal_.sensor_winding);
   for (int coil = 0; coil < kCoils && m.thermistors.count() > 1; ++coil) {
     if (coil == thermal_.sensor_winding) continue;
-    const Reason reason = check_thermistor(m, coil);
-    if (reason == Reason::kNone || found.any()) continue;
-    const bool jump = reason == Reason::kSensorJump;
-    found = {Reason::kMeasurementsDisagree,
-             {coil, Quantity::kThermistor, jump ? Quantity::kHeatBalance : Quantity::kResistance}};
+    const control::Disagreement other = control::disagreement_of(coil, check_thermistor(m, coil));
+    if (other.any() && !found.any()) found = {Reason::kMeasurementsDisagree, other};
   }
   return found;
 }

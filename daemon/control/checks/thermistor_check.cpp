@@ -110,4 +110,18 @@ double ThermistorCheck::disagreement_k(double sensor_c) const noexcept {
   return std::max({low - sensor_c, sensor_c - high, 0.0});
 }
 
+Disagreement disagreement_of(int coil, Reason reason) noexcept {
+  switch (reason) {
+    case Reason::kSensorFrozen:
+    case Reason::kSensorDisagrees:
+      return {coil, Quantity::kThermistor, Quantity::kResistance};
+    case Reason::kSensorImplausible:
+    case Reason::kSensorJump:
+    case Reason::kSensorStale:
+      return {coil, Quantity::kThermistor, Quantity::kHeatBalance};
+    default:
+      return {};
+  }
+}
+
 }  // namespace hedgehog::control

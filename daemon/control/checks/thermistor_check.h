@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "daemon/control/checks/fault_debounce.h"
+#include "daemon/control/state/disagreement.h"
 #include "daemon/control/state/state.h"
 #include "model/tick.h"
 
@@ -99,5 +100,9 @@ class ThermistorCheck {
   double min_bias_k_ = 0.0;
   double max_bias_k_ = 0.0;
 };
+
+/// What the thermistor of winding `coil` contradicts that was found wrong by `reason`; none for a
+/// broken wire, which the board reports.
+Disagreement disagreement_of(int coil, Reason reason) noexcept;
 
 }  // namespace hedgehog::control

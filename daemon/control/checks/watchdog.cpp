@@ -130,15 +130,10 @@ Disagreement Watchdog::check_other_thermistors(const WatchdogInputs& in, double 
   for (int coil = 0; coil < thermistor_count_; ++coil) {
     if (coil == sensor_winding_) continue;
     ThermistorCheck& check = thermistor_checks_[static_cast<std::size_t>(coil)];
-    const Reason reason = check.step(sensor_reading(in, coil, since_s), dt_s);
-    // The board reports a broken wire, of any of them.
-    const bool wire = reason == Reason::kSensorOpen || reason == Reason::kSensorShort;
+    Reason reason = check.step(sensor_reading(in, coil, since_s), dt_s);
     // Also one that the board no longer sends.
-    const bool lost = in.fresh && check.age_s() >= ThermistorCheck::kStaleAfterS;
-    if (found.any() || wire || (reason == Reason::kNone && !lost)) continue;
-    const bool by_winding = reason == Reason::kSensorFrozen || reason == Reason::kSensorDisagrees;
-    found = {coil, Quantity::kThermistor,
-             by_winding ? Quantity::kResistance : Quantity::kHeatBalance};
+    if (in.fresh && check.age_s() >= ThermistorCheck::kStaleAfterS) reason = Reason::kSensorStale;
+    if (!found.any()) found = disagreement_of(coil, reason);
   }
   return found;
 }
