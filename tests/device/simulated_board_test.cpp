@@ -116,6 +116,21 @@ TEST_F(Together, APulledCableIsSafeAfterAHundredMillisecondsOfTheBoard) {
   EXPECT_NEAR(current(), 5.0, 0.05);
 }
 
+TEST_F(Together, ACurrentThatReadsThirtyPercentLowIsMadeSafeByTheSupplyCurrent) {
+  arm();
+  requested = {0, 10, 0};
+  run(100);
+  SimulatorErrorList errors;
+  errors.error[errors.count++] = {SimulatorErrorKind::kCurrentGain, 1, 0.7, 0.0};
+  both.board().set_errors(errors);
+  int ms = 0;
+  for (; ms < 4000 && both.board().core().outputs().awake; ++ms) run(1);
+  EXPECT_GT(ms, 1000) << "the mean, not the rule of 20 ms";
+  EXPECT_LT(ms, 3000);
+  EXPECT_TRUE(has(kFaultUnexpectedCurrent));
+  expect_zero_soon();
+}
+
 TEST_F(Together, AStuckBridgeIsDetectedAndOpensTheSupplySwitchInTime) {
   arm();
   requested = {0, 0, 0};

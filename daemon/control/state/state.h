@@ -31,7 +31,7 @@ enum class Reason : std::uint8_t {
   kSensorStale,
   kSensorImplausible,  // outside -20..125 C
   kSensorDisagrees,    // more than 12 K from the lagged estimate of its own winding for 0.5 s
-  kUnexpectedCurrent,  // a coil carries current without a request
+  kUnexpectedCurrent,  // a coil carries current without a request, or more than is measured
   kCurrentMismatch,    // the measured current differs from that expected by L/R
   kBridgeFault,
   kFanStopped,

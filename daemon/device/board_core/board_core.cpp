@@ -169,11 +169,11 @@ bool BoardCore::unexpected_current() noexcept {
     drawn_ma += static_cast<int32_t>(before_.duty_q15[k]) * flowing_ma_[k] / kFullDutyQ15;
   }
   // The current returned by braking windings lowers the sum; the shunt does not measure it.
-  const uint32_t expected_ma = drawn_ma > 0 ? static_cast<uint32_t>(drawn_ma) : 0u;
-  const bool excess = inputs_.supply_current_measured &&
-                      inputs_.supply_ma > expected_ma + expected_ma / 8u + kExcessSupplyMa;
+  const auto expected_ma = static_cast<uint32_t>(drawn_ma > 0 ? drawn_ma : 0);
+  const bool compared = before_.awake && inputs_.supply_current_measured;
   const bool by_winding = unexpected_.step(before_.awake && beyond);
-  const bool by_supply = excess_supply_.step(before_.awake && excess);
+  const bool by_supply =
+      excess_supply_.step(compared ? inputs_.supply_ma : 0u, compared ? expected_ma : 0u);
   return by_winding || by_supply;
 }
 

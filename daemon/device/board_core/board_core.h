@@ -10,6 +10,7 @@
 #include "daemon/device/board_core/heat_budget.h"
 #include "daemon/device/board_core/limits.h"
 #include "daemon/device/board_core/persistence.h"
+#include "daemon/device/board_core/supply_excess.h"
 
 namespace hedgehog::board {
 
@@ -166,7 +167,7 @@ class BoardCore {
   Persistence stuck_{kStuckMs};
   Persistence charged_{kChargingMs};
   Persistence unexpected_{kUnexpectedMs};
-  Persistence excess_supply_{kExcessSupplyMs};
+  SupplyExcess excess_supply_;
   /// Winding currents, mA: measured, or decaying in the brake since the last measurement.
   int16_t flowing_ma_[kWindings] = {};
   /// Time for which a winding has been driven in one direction without a measured current, ms.

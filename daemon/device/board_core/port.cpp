@@ -87,7 +87,6 @@ WindingCurrent by_driver_cs(int16_t shown_ma, int16_t duty_q15, bool awake) noex
 }  // namespace
 
 int16_t ntc_cc(uint16_t adc, uint16_t adc_full, uint16_t pull_up_ohm) noexcept {
-  if (adc == 0) adc = 1;
   if (adc >= adc_full) return static_cast<int16_t>(kNtcFirstCc);
   // In eighths of an ohm, because a hot NTC has only few ohms.
   const uint32_t eighths = quotient(uint64_t{8} * pull_up_ohm * adc, uint32_t{adc_full} - adc);

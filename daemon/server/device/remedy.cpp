@@ -34,7 +34,7 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
     case Reason::kUnexpectedCurrent:
     case Reason::kBoardStuckBridge:
     case Reason::kBridgeFault:
-      return "Unplug the ball and have the bridges of its board checked";
+      return "Unplug the ball and have the bridges and current sensors of its board checked";
     case Reason::kCurrentMismatch:
       return "Check the plugs of the three coils, and r25_ohm in the device file";
     case Reason::kBoardOverCurrent:

@@ -42,6 +42,7 @@ const kHazards = [
     }, fault: kFault.unexpectedCurrent, withinMs: 30, again: true,
   },
   { what: 'an amplifier shows half of 13 A', duty: kThirteenAmps, begin: faults(kSim.currentHalf), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
+  { what: 'an amplifier shows 70 % of 13 A', duty: kThirteenAmps, begin: error(kError.currentGain, 0, 0.7), fault: kFault.unexpectedCurrent, notBeforeMs: 500, withinMs: 2000, again: true },
   { what: 'an amplifier shows twice 5 A', begin: error(kError.currentGain, 0, 2), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
   {
     what: 'more than 16.5 A', begin: ({ driver }) => { driver.target = { enable: true, duty: [0.8, 0, 0] }; },
