@@ -12,7 +12,6 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -249,42 +248,20 @@ void Daemon::log_state(const control::Event& event) {
 }
 
 void Daemon::on_event(const control::Event& event, const server::Effect*) {
-  using control::EventType;
-  switch (event.type) {
-    case EventType::kStateChanged: {
-      // Not a warning if it arms itself before clients are accepted.
-      start_blocker_.reset();
-      if (!ready_ && event.state == control::State::kDisarmed &&
-          event.reason == control::Reason::kNeverArmed)
-        start_blocker_ = event;
-      else
-        log_state(event);
-      state_store_.state_changed(event.state);
-      if (event.state == control::State::kTripped) {
-        // The latch is persisted before any longer operation.
-        state_store_.persist_latch(event.reason);
-      }
-      return;
-    }
-    case EventType::kDeratingStarted:
-    case EventType::kDeratingEnded:
-      spdlog::info("{}: {:.1f} A allowed at {}", control::name(event.type), event.limit_a,
-                   std::isfinite(event.temperature_c)
-                       ? fmt::format("{:.1f} °C", event.temperature_c)
-                       : "an unknown temperature");
-      return;
-    case EventType::kOverrun:
-      spdlog::warn("the control loop was late: {} ticks skipped", event.count);
-      return;
-    case EventType::kRejectedNumber:
-      spdlog::error("a non-finite number was replaced by zero current");
-      return;
-    case EventType::kEffectStarted:
-    case EventType::kEffectEnded:
-      return;
-    default:
-      spdlog::info("{}", control::name(event.type));
+  if (event.type != control::EventType::kStateChanged) {
+    log_event(event);
+    return;
   }
+  // Not a warning if it arms itself before clients are accepted.
+  start_blocker_.reset();
+  if (!ready_ && event.state == control::State::kDisarmed &&
+      event.reason == control::Reason::kNeverArmed)
+    start_blocker_ = event;
+  else
+    log_state(event);
+  state_store_.state_changed(event.state);
+  // The latch is persisted before any longer operation.
+  if (event.state == control::State::kTripped) state_store_.persist_latch(event.reason);
 }
 
 std::string Daemon::status_line() const {

@@ -9,10 +9,28 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 
 namespace hedgehog::daemon {
+namespace {
+
+using control::EventType;
+
+void log_measurement(const control::Event& event) {
+  const control::Disagreement& found = event.disagreement;
+  const bool thermistor = found.has(control::Quantity::kThermistor);
+  const char* const measurement = thermistor ? "the thermistor" : "V/I";
+  const char winding = "xyz"[found.coil()];
+  if (event.type == EventType::kMeasurementRejected)
+    spdlog::warn("winding {}: {} contradicts the heat balance and is not used", winding,
+                 measurement);
+  else
+    spdlog::info("winding {}: {} agrees with the heat balance again", winding, measurement);
+}
+
+}  // namespace
 
 bool is_journal(const char* stream, int fd) {
   struct stat file {};
@@ -44,6 +62,38 @@ void set_log_level(config::LogLevel level) {
       return spdlog::set_level(spdlog::level::warn);
     case config::LogLevel::kError:
       return spdlog::set_level(spdlog::level::err);
+  }
+}
+
+void log_event(const control::Event& event) {
+  switch (event.type) {
+    case EventType::kDeratingStarted:
+    case EventType::kDeratingEnded:
+      spdlog::info("{}: {:.1f} A allowed at {}", control::name(event.type), event.limit_a,
+                   std::isfinite(event.temperature_c)
+                       ? fmt::format("{:.1f} °C", event.temperature_c)
+                       : "an unknown temperature");
+      return;
+    case EventType::kMeasurementRejected:
+    case EventType::kMeasurementAccepted:
+      log_measurement(event);
+      return;
+    case EventType::kOverrun:
+      spdlog::warn("the control loop was late: {} ticks skipped", event.count);
+      return;
+    case EventType::kRejectedNumber:
+      spdlog::error("a non-finite number was replaced by zero current");
+      return;
+    case EventType::kEffectStarted:
+    case EventType::kEffectEnded:
+    case EventType::kStateChanged:
+      return;
+    case EventType::kOrientationLost:
+    case EventType::kOrientationRestored:
+    case EventType::kDeviceAttached:
+    case EventType::kDeviceDetached:
+      spdlog::info("{}", control::name(event.type));
+      return;
   }
 }
 

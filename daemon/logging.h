@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Destination of log lines: the journal if stderr is connected to it, else stderr: in colour and
-// with the time on a terminal, with date and time in a file. io and disk threads only; the
-// real-time threads never log.
+// Log lines of the ball's events, and the destination of all lines: the journal if stderr is
+// connected to it, else stderr: in colour and with the time on a terminal, with date and time in a
+// file. io and disk threads only; the real-time threads never log.
 #pragma once
 
 #include "daemon/config/config.h"
+#include "daemon/control/state/event.h"
 
 namespace hedgehog::daemon {
 
@@ -15,5 +16,8 @@ bool is_journal(const char* stream, int fd);
 
 void start_logging(config::LogLevel level);
 void set_log_level(config::LogLevel level);
+
+/// Logs an event of the ball other than those of effects and kStateChanged. io thread.
+void log_event(const control::Event& event);
 
 }  // namespace hedgehog::daemon

@@ -536,7 +536,7 @@ export interface Telemetry {
 }
 
 export interface BallEvent {
-  type: "derating_ended" | "derating_started" | "device_attached" | "device_detached" | "effect_ended" | "effect_started" | "orientation_lost" | "orientation_restored" | "overrun" | "shutting_down" | "state_changed" | (string & {});
+  type: "derating_ended" | "derating_started" | "device_attached" | "device_detached" | "effect_ended" | "effect_started" | "measurement_accepted" | "measurement_rejected" | "orientation_lost" | "orientation_restored" | "overrun" | "shutting_down" | "state_changed" | (string & {});
   time_ns: number;
   state?: string;
   effect?: number;
@@ -579,7 +579,7 @@ export interface ErrorData {
 }
 
 /** The types of events. */
-export type EventType = "derating_ended" | "derating_started" | "device_attached" | "device_detached" | "effect_ended" | "effect_started" | "orientation_lost" | "orientation_restored" | "overrun" | "shutting_down" | "state_changed";
+export type EventType = "derating_ended" | "derating_started" | "device_attached" | "device_detached" | "effect_ended" | "effect_started" | "measurement_accepted" | "measurement_rejected" | "orientation_lost" | "orientation_restored" | "overrun" | "shutting_down" | "state_changed";
 
 /** Codes of refusals, by name. */
 export declare const ErrorCode: {

@@ -7,6 +7,7 @@
 
 #include "daemon/control/checks/estimate_check.h"
 #include "daemon/control/checks/fault_debounce.h"
+#include "daemon/control/checks/rejected_measurements.h"
 #include "daemon/control/checks/telemetry_pair.h"
 #include "daemon/control/checks/watchdog.h"
 #include "daemon/control/current_prediction.h"
@@ -96,6 +97,7 @@ class Controller {
   model::Limits limits_;  // of the settings, tightened to the board's
   model::ThermalObserver observer_;
   EstimateCheck estimate_;
+  RejectedMeasurements rejected_;
   model::SkinEstimate skin_;
   model::ThermalLimiter limiter_;
   Mixer mixer_;

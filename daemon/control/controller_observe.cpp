@@ -48,6 +48,8 @@ void Controller::on_ball_replaced() noexcept {
   states_.trip_state_lost(now_);
   settings_.start_known = false;
   estimate_ = EstimateCheck();
+  rejected_ = RejectedMeasurements();
+  reporter_.forget_measurements();
   watchdog_.reset_windings(settings_.coils, settings_.thermal);
   observing_ = false;
 }
@@ -99,6 +101,7 @@ Reason Controller::update_estimate(double dt_s) noexcept {
     start_observer(sensor_c());
   }
   observer_.step(m, dt_s);
+  rejected_.step(observer_, dt_s);
   // The filter changes at the end of a window only.
   if (starts || observer_.window_ended())
     skin_.set(model::SkinInputs::of(settings_.thermal, observer_.filter(), m.fan_running));

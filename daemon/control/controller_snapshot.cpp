@@ -12,6 +12,7 @@ ReportInputs Controller::report_inputs() const noexcept {
           heading_.present(),
           heading_.fresh(),
           derating_.active(),
+          rejected_.rejected(),
           limiter_.allowed().value,
           norm(pair_.after_a()),
           hottest_c(),

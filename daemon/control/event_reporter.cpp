@@ -4,8 +4,7 @@
 namespace hedgehog::control {
 namespace {
 
-void report(EventType type, const ReportInputs& inputs, EventList& events,
-            std::uint64_t count = 0) noexcept {
+Event event_of(EventType type, const ReportInputs& inputs) noexcept {
   Event event;
   event.type = type;
   event.state = inputs.state;
@@ -15,9 +14,12 @@ void report(EventType type, const ReportInputs& inputs, EventList& events,
   event.limit_a = inputs.limit_a;
   event.current_a = inputs.current_a;
   event.temperature_c = inputs.temperature_c;
-  event.count = count;
   if (event.trip) event.disagreement = inputs.last_trip.disagreement;
-  events.push(event);
+  return event;
+}
+
+void report(EventType type, const ReportInputs& inputs, EventList& events) noexcept {
+  events.push(event_of(type, inputs));
 }
 
 }  // namespace
@@ -27,7 +29,9 @@ void EventReporter::report_overrun(std::uint32_t skipped, const ReportInputs& in
   unreported_overruns_ += started_ ? skipped : 0;
   started_ = true;
   if (unreported_overruns_ == 0 || inputs.tick - last_overrun_report_ < kReportEvery) return;
-  report(EventType::kOverrun, inputs, events, unreported_overruns_);
+  Event overrun = event_of(EventType::kOverrun, inputs);
+  overrun.count = unreported_overruns_;
+  events.push(overrun);
   last_overrun_report_ = inputs.tick;
   unreported_overruns_ = 0;
 }
@@ -46,11 +50,12 @@ void EventReporter::report_changes(const ReportInputs& inputs, EventList& events
   if (inputs.state != reported_.state || inputs.reason != reported_.reason)
     report(EventType::kStateChanged, inputs, events);
   report_orientation(inputs, events);
+  report_measurements(inputs, events);
   if (inputs.derating != reported_.derating) {
     report(inputs.derating ? EventType::kDeratingStarted : EventType::kDeratingEnded, inputs,
            events);
   }
-  reported_ = {inputs.state, inputs.reason, inputs.attached, inputs.derating};
+  reported_ = {inputs.state, inputs.reason, inputs.attached, inputs.derating, inputs.rejected};
 }
 
 void EventReporter::report_orientation(const ReportInputs& inputs, EventList& events) noexcept {
@@ -68,6 +73,18 @@ void EventReporter::report_orientation(const ReportInputs& inputs, EventList& ev
   was_oriented_ = true;
   differing_ticks_ = 0;
   report(fresh ? EventType::kOrientationRestored : EventType::kOrientationLost, inputs, events);
+}
+
+void EventReporter::report_measurements(const ReportInputs& inputs, EventList& events) noexcept {
+  if (inputs.rejected == reported_.rejected) return;
+  for (int i = 0; i < RejectedSet::kSources; ++i) {
+    const bool rejected = inputs.rejected.contains(i);
+    if (rejected == reported_.rejected.contains(i)) continue;
+    Event event = event_of(
+        rejected ? EventType::kMeasurementRejected : EventType::kMeasurementAccepted, inputs);
+    event.disagreement = RejectedSet::source(i);
+    events.push(event);
+  }
 }
 
 }  // namespace hedgehog::control

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "daemon/control/checks/rejected_measurements.h"
 #include "daemon/control/snapshot.h"
 #include "daemon/control/state/event_list.h"
 
@@ -20,6 +21,7 @@ struct ReportInputs {
   bool orientation_present = false;
   bool orientation_fresh = false;
   bool derating = false;
+  RejectedSet rejected;
   /// The allowed and the measured current, A, and the hottest temperature, C (infinite: unknown).
   double limit_a = 0.0;
   double current_a = 0.0;
@@ -45,15 +47,19 @@ class EventReporter {
   void report_rejection(const ReportInputs& inputs, EventList& events) noexcept;
   /// Called once a tick, at its end.
   void report_changes(const ReportInputs& inputs, EventList& events) noexcept;
+  /// No measurement is rejected any more, because there is another estimate: not an event.
+  void forget_measurements() noexcept { reported_.rejected = {}; }
 
  private:
   void report_orientation(const ReportInputs& inputs, EventList& events) noexcept;
+  void report_measurements(const ReportInputs& inputs, EventList& events) noexcept;
 
   struct Reported {
     State state = State::kAbsent;
     Reason reason = Reason::kNoBoard;
     bool attached = false;
     bool derating = false;
+    RejectedSet rejected;
   };
 
   Reported reported_;  // as of the last events

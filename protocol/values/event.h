@@ -16,16 +16,26 @@ namespace hedgehog::protocol {
 class Fields;
 
 /// Sorted. Clients ignore unknown types.
-inline constexpr std::array<std::string_view, 11> kEventTypes{
-    "derating_ended", "derating_started", "device_attached",  "device_detached",
-    "effect_ended",   "effect_started",   "orientation_lost", "orientation_restored",
-    "overrun",        "shutting_down",    "state_changed"};
+inline constexpr std::array<std::string_view, 13> kEventTypes{"derating_ended",
+                                                              "derating_started",
+                                                              "device_attached",
+                                                              "device_detached",
+                                                              "effect_ended",
+                                                              "effect_started",
+                                                              "measurement_accepted",
+                                                              "measurement_rejected",
+                                                              "orientation_lost",
+                                                              "orientation_restored",
+                                                              "overrun",
+                                                              "shutting_down",
+                                                              "state_changed"};
 
 /// Event types that recur while a condition persists, such as an overloaded host. Events of one
-/// type at most `kSeriesMaxGapMs` apart form one series of at most `kSeriesMaxMs`, stored as its
-/// first event, their number, and the time of the last.
-inline constexpr std::array<std::string_view, 3> kRecurringEventTypes{
-    "orientation_lost", "orientation_restored", "overrun"};
+/// type and disagreement at most `kSeriesMaxGapMs` apart form one series of at most `kSeriesMaxMs`,
+/// stored as its first event, their number, and the time of the last.
+inline constexpr std::array<std::string_view, 5> kRecurringEventTypes{
+    "measurement_accepted", "measurement_rejected", "orientation_lost", "orientation_restored",
+    "overrun"};
 inline constexpr std::int64_t kSeriesMaxGapMs = 60'000;
 inline constexpr std::int64_t kSeriesMaxMs = 3'600'000;
 
@@ -83,7 +93,8 @@ struct Event {
   // also state_changed by a trip: hottest temperature, if known, and current (always)
   std::optional<double> temperature_c{};
   std::optional<double> current_a{};
-  // state_changed by a trip with reason measurements_disagree or overheated
+  // measurement_rejected, measurement_accepted; state_changed by a trip with reason
+  // measurements_disagree or overheated
   std::optional<Disagreement> disagreement{};
 
   // device_attached, device_detached: "board" or "imu"

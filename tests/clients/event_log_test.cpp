@@ -57,6 +57,26 @@ TEST_F(Log, BeforeANewSeriesTheLastOneIsPrinted) {
   EXPECT_THAT(log_.rest(), IsEmpty());
 }
 
+TEST_F(Log, ARejectedMeasurementHasItsWindingAndASeriesOfItsOwn) {
+  const auto rejected = [&](int second, int coil) {
+    protocol::Event event{.type = "measurement_rejected",
+                          .time_ns = second * std::int64_t{1'000'000'000}};
+    event.disagreement = protocol::Disagreement{coil, {"heat_balance", "thermistor"}};
+    return log_.take(event, "14:00:0" + std::to_string(second), at(second));
+  };
+  EXPECT_THAT(
+      rejected(0, 1),
+      ElementsAre("  14:00:00  measurement_rejected (winding y: heat_balance, thermistor)"));
+  EXPECT_THAT(rejected(1, 1), IsEmpty());
+  EXPECT_THAT(
+      rejected(2, 2),
+      ElementsAre("  14:00:02  measurement_rejected (winding z: heat_balance, thermistor)"));
+  EXPECT_THAT(rejected(3, 1), IsEmpty());
+  EXPECT_THAT(log_.rest(),
+              ElementsAre("  14:00:03  measurement_rejected (winding y: heat_balance, thermistor), "
+                          "3 times since 14:00:00"));
+}
+
 TEST_F(Log, HeldEventsArePrintedAtTheEnd) {
   overrun(0, "14:00:00");
   overrun(1, "14:00:01");

@@ -3,6 +3,7 @@
 // before any part overheats. On the whole rig, with the firmware's own conversion of raw values.
 #include <tuple>
 
+#include "tests/rig/fault_run.h"
 #include "tests/rig/thermal_ball.h"
 #include "tests/safety/safe.h"
 
@@ -90,6 +91,59 @@ INSTANTIATE_TEST_SUITE_P(
                                          Wrong{SimulatorErrorKind::kSupplyGain, 0.85, 60.0,
                                                Quantity::kSupplyVoltage}),
                        ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
+
+/// A rise: a fall of V/I trips within two windows of the filter, before they have rejected it.
+using ARejectedReading = EachWrong;
+
+TEST_P(ARejectedReading, IsAnEventBeforeTheTrip) {
+  const auto& [wrong, coil, thermistors] = GetParam();
+  drive(45.0, wrong, coil);
+  expect_tripped(*rig, Reason::kMeasurementsDisagree);
+  expect_zero(*rig, 2);
+  const control::Event* rejected = rig->last(control::EventType::kMeasurementRejected);
+  ASSERT_NE(rejected, nullptr);
+  EXPECT_EQ(rejected->disagreement,
+            control::Disagreement(coil, wrong.named, Quantity::kHeatBalance));
+  EXPECT_LT(rejected->tick, rig->controller().last_trip().tick);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sudden, ARejectedReading,
+                         ::testing::Combine(::testing::Values(Wrong{
+                                                SimulatorErrorKind::kResistanceGain, 1.05, 0.0,
+                                                Quantity::kResistance}),
+                                            ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
+
+TEST(RejectedReading, OfABallThatIsReplacedIsNotReportedAsAccepted) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({0, 1, 0}, 8.0));
+  rig.run_s(3.0);
+  device::SimulatorErrorList errors;
+  errors.generation = 1;
+  errors.error[errors.count++] = {SimulatorErrorKind::kResistanceGain, 1, 1.05, 0.0};
+  rig.board().set_errors(errors);
+  ASSERT_TRUE(
+      rig.run_until([&] { return rig.count(control::EventType::kMeasurementRejected) > 0; }, 1000));
+  rig.command(control::ResetBall{});
+  rig.run_s(5.0);
+  EXPECT_EQ(rig.count(control::EventType::kMeasurementAccepted), 0);
+}
+
+// V/I leaves its gate after the filter has taken a part of the change for a drift of R25: both
+// together are what the supply's voltage explains.
+TEST(SlowlyFallingSupplyReading, IsNamedAlthoughAPartOfItWasTakenForADrift) {
+  for (const int winding : {1, 2}) {
+    rig::ThermalFault fault;
+    fault.error = {SimulatorErrorKind::kSupplyGain, static_cast<std::uint8_t>(winding), 0.97,
+                   120.0};
+    fault.from_c = 45.0;
+    fault.winding = winding;
+    const rig::FaultResult result = rig::run_fault(fault, rig::matching_ball(fault, {}));
+    EXPECT_EQ(result.stop.reason, Reason::kMeasurementsDisagree);
+    EXPECT_TRUE(result.stop.disagreement.has(Quantity::kSupplyVoltage)) << words(result.stop);
+    EXPECT_LT(result.hottest_c, 75.0);
+  }
+}
 
 /// Trips within 50 ms at 70 C by V/I, which is less than the contradictions' hold times.
 using AReadingThatSimulatesHeat = EachWrong;

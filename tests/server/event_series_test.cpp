@@ -78,6 +78,21 @@ TEST_F(Series, ASingleEventIsNoSeries) {
   EXPECT_EQ(newest(history)[0].last, std::nullopt);
 }
 
+TEST_F(Series, OfAMeasurementIsThatOfOneWinding) {
+  EventHistory history(writer(), {});
+  for (const int coil : {0, 1, 0, 1, 1}) {
+    protocol::Event event{.type = "measurement_rejected", .time_ns = 1};
+    event.disagreement = protocol::Disagreement{coil, {"heat_balance", "resistance"}};
+    history.record(event, kStartMs, nullptr);
+  }
+  const auto events = newest(history);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].event.disagreement->coil, 0);
+  EXPECT_EQ(events[0].count, 2);
+  EXPECT_EQ(events[1].event.disagreement->coil, 1);
+  EXPECT_EQ(events[1].count, 3);
+}
+
 TEST_F(Series, EndsAfterAQuietMinuteAndAfterAnHour) {
   EventHistory history(writer(), {});
   record(history, kStartMs);

@@ -30,5 +30,15 @@ TEST(EventView, AnUnknownTemperatureIsLeftOut) {
   }
 }
 
+TEST(EventView, ARejectedMeasurementNamesItsWindingAndTheQuantities) {
+  control::Event event;
+  event.type = control::EventType::kMeasurementRejected;
+  event.disagreement = {2, control::Quantity::kThermistor, control::Quantity::kHeatBalance};
+  EXPECT_EQ(
+      protocol::encode_event(event_view(event, nullptr, 5, {}).value()),
+      R"({"jsonrpc":"2.0","method":"event","params":{"type":"measurement_rejected","time_ns":5,)"
+      R"("disagreement":{"coil":2,"between":["heat_balance","thermistor"]}}})");
+}
+
 }  // namespace
 }  // namespace hedgehog::server

@@ -182,6 +182,24 @@ test("recurring events are one line, and displace no other", async () => {
   assert.equal(await page.locator("#happened li", { hasText: "of the loop" }).count(), 1);
 });
 
+test("a rejected measurement is a line of its winding, also of several in one tick and beside other recurring events", async () => {
+  await open();
+  await page.evaluate(() => {
+    const dispatch = (detail) => window.dashboard.link.dispatchEvent(new CustomEvent("event", { detail }));
+    for (const time of [1, 2]) {
+      for (const coil of [0, 1, 2])
+        dispatch({ type: "measurement_rejected", time_ns: time, disagreement: { coil, between: ["resistance", "heat_balance"] } });
+    }
+    dispatch({ type: "overrun", time_ns: 3, skipped: 2 });
+    dispatch({ type: "orientation_lost", time_ns: 4 });
+  });
+  await until(() => /Orientation lost/.test(document.getElementById("happened").textContent));
+  for (const winding of ["x", "y", "z"]) {
+    const line = page.locator("#happened li", { hasText: `Measurement rejected: winding ${winding}: resistance, heat balance, 2 times` });
+    assert.equal(await line.count(), 1, winding);
+  }
+});
+
 test("repeated derating displaces no emergency stop", async () => {
   await open();
   await page.evaluate(() => {

@@ -9,9 +9,8 @@ std::vector<std::string> EventLog::take(const protocol::Event& event, const std:
                                         Clock::time_point now) {
   EventSeries one(event, clock);
   if (!protocol::is_recurring(event.type)) return {one.line()};
-  const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& other) {
-    return other.series.type() == event.type;
-  });
+  const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& other) { return other.series.is_of(event); });
   if (entry != entries_.end() && entry->series.add(event, clock)) {
     entry->is_printed = false;
     return {};

@@ -32,7 +32,7 @@ class EventLog {
     bool is_printed = true;
   };
 
-  /// One per type.
+  /// One per type and, of measurements, per set of them.
   std::vector<Entry> entries_;
 };
 

@@ -22,7 +22,7 @@ EventSeries::EventSeries(protocol::Event event, std::string clock)
       last_clock_(first_clock_) {}
 
 bool EventSeries::add(const protocol::Event& next, const std::string& clock) {
-  if (next.type != event_.type || !protocol::is_recurring(next.type)) return false;
+  if (!is_of(next) || !protocol::is_recurring(next.type)) return false;
   if (next.time_ns < last_ns_ || next.time_ns - last_ns_ > kMaxGapNs ||
       next.time_ns - first_ns_ > kMaxNs)
     return false;

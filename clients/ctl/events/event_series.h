@@ -19,7 +19,10 @@ class EventSeries {
   /// Adds the next event; false: it does not belong to this series.
   bool add(const protocol::Event& next, const std::string& clock);
 
-  const std::string& type() const noexcept { return event_.type; }
+  /// True for an event of its type and, of measurements, of the same ones.
+  bool is_of(const protocol::Event& event) const noexcept {
+    return event.type == event_.type && event.disagreement == event_.disagreement;
+  }
   /// "  14:05:33  overrun  180 ticks skipped, 37 times since 14:03:21": the time of the last event,
   /// the sum of skipped ticks, the number of events, and the time of the first.
   std::string line() const;

@@ -20,7 +20,15 @@ std::string event_words(const protocol::Event& event) {
   if (event.current_a) words += ", " + fixed(*event.current_a, 1) + " A";
   if (event.device) words += "  " + *event.device;
   if (event.skipped) words += "  " + std::to_string(*event.skipped) + " ticks skipped";
-  return words;
+  return words + disagreement_words(event.disagreement);
+}
+
+std::string disagreement_words(const std::optional<protocol::Disagreement>& found) {
+  if (!found || found->coil < 0 || found->coil > 2) return {};
+  std::string words = std::string(" (winding ") + "xyz"[found->coil] + ":";
+  for (const std::string& quantity : found->between)
+    words += (words.back() == ':' ? " " : ", ") + quantity;
+  return words + ")";
 }
 
 }  // namespace hedgehog::client

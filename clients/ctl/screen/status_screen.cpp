@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "clients/ctl/events/event_words.h"
 #include "clients/ctl/terminal/words.h"
 #include "model/geometry/direction.h"
 #include "model/quaternion.h"
@@ -98,21 +99,12 @@ void append_playing(const Status& status, const ScreenStyle& style,
   }
 }
 
-/// " (winding y: current, supply_current)".
-std::string contradiction_words(const std::optional<protocol::Disagreement>& found) {
-  if (!found || found->coil < 0 || found->coil > 2) return {};
-  std::string words = std::string(" (winding ") + "xyz"[found->coil] + ":";
-  for (const std::string& quantity : found->between)
-    words += (words.back() == ':' ? " " : ", ") + quantity;
-  return words + ")";
-}
-
 std::string last_trip_line(const Status& status) {
   if (!status.last_trip) return row("last trip", "none", "since the start");
   const double ago_s = static_cast<double>(status.time_ns - status.last_trip->time_ns) / 1e9;
   return row(
       "last trip", time_words(ago_s),
-      "ago: " + status.last_trip->reason + contradiction_words(status.last_trip->disagreement));
+      "ago: " + status.last_trip->reason + disagreement_words(status.last_trip->disagreement));
 }
 
 /// `words`, and the keys at the right edge; `plain`: the words without colour sequences.

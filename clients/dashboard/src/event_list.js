@@ -2,10 +2,12 @@
 // What happened on the ball, newest first: what the daemon remembers, then what it tells. Trips, what else
 // concerns the ball, derating, what recurs, and ends of effects have lines of their own, so that neither a game, nor a warm ball,
 // nor a busy machine pushes news out.
-import { eventText } from "./words.js";
+import { contradiction, eventText } from "./words.js";
 
 /** Events of one of these types within a minute are one line. */
-const kRecurring = ["overrun", "orientation_lost", "orientation_restored"];
+const kMeasurements = ["measurement_rejected", "measurement_accepted"];
+const kLapses = ["overrun", "orientation_lost", "orientation_restored"];
+const kRecurring = [...kLapses, ...kMeasurements];
 const kSeriesMs = 60_000;
 const kDerating = ["derating_started", "derating_ended"];
 
@@ -17,7 +19,8 @@ const kKinds = [
     is: (event) => !isTrip(event) && !isEnd(event) && !recurs(event) && !derates(event) && event.type !== "effect_started",
   },
   { limit: 2, params: { types: kDerating }, is: (event) => derates(event) },
-  { limit: 2, params: { types: kRecurring }, is: (event) => recurs(event) },
+  { limit: 3, params: { types: kMeasurements }, is: (event) => kMeasurements.includes(event.type) },
+  { limit: 2, params: { types: kLapses }, is: (event) => kLapses.includes(event.type) },
   { limit: 3, params: { types: ["effect_ended"] }, is: (event) => isEnd(event) && event.reason !== "replaced" },
 ];
 /** Who played what, and where the recording of a trip is, only the history says; a recording may take seconds. */
@@ -28,7 +31,9 @@ const isTrip = (event) => event.type === "state_changed" && event.current_a !== 
 const derates = (event) => kDerating.includes(event.type);
 const recurs = (event) => kRecurring.includes(event.type);
 const isEnd = (event) => event.type === "effect_ended";
-const same = (a, b) => a.type === b.type && a.time_ns === b.time_ns && a.effect === b.effect;
+/** Of the same measurements, or of none. */
+const agree = (a, b) => contradiction(a.disagreement) === contradiction(b.disagreement);
+const same = (a, b) => a.type === b.type && a.time_ns === b.time_ns && a.effect === b.effect && agree(a, b);
 
 function when(at) {
   const time = new Date(at);
@@ -40,7 +45,8 @@ function when(at) {
 /** The line that `event` is one more of; undefined: none. */
 function seriesOf(event, events) {
   const from = Date.now() - kSeriesMs;
-  return recurs(event) ? events.find(({ type, at, last }) => type === event.type && Date.parse(last ?? at) >= from) : undefined;
+  const continues = (old) => old.type === event.type && agree(old, event) && Date.parse(old.last ?? old.at) >= from;
+  return recurs(event) ? events.find(continues) : undefined;
 }
 
 /** `save(file)`: downloads a recording with the token; undefined: the browser can do it without. */

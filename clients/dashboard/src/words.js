@@ -24,7 +24,7 @@ const kReasons = {
   sensor_jump: "The coil thermometer jumped faster than any heat could.",
   sensor_implausible: "The coil thermometer reads an impossible value.",
   sensor_disagrees: "Thermometer and winding resistance disagree.",
-  unexpected_current: "Current flowed without a command.",
+  unexpected_current: "Current flowed without a command, or more than is measured.",
   current_mismatch: "The measured current is not what the coil should take.",
   bridge_fault: "A bridge of the board reports a fault.",
   fan_stopped: "The fan is driven but does not turn.",
@@ -83,8 +83,8 @@ function single(event) {
       return `${Number.isFinite(event.skipped) ? counted(event.skipped, "tick") : "Some ticks"} of the loop skipped`;
     default: {
       const what = words(event.type);
-      const detail = event.device ?? event.reason;
-      return what.charAt(0).toUpperCase() + what.slice(1) + (detail ? `: ${words(detail)}` : "");
+      const detail = words(event.device ?? event.reason) || contradiction(event.disagreement);
+      return what.charAt(0).toUpperCase() + what.slice(1) + (detail ? `: ${detail}` : "");
     }
   }
 }

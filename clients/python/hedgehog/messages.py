@@ -670,8 +670,8 @@ class ErrorData(_ErrorDataAlways, total=False):
 
 
 EventType = Literal["derating_ended", "derating_started", "device_attached", "device_detached", "effect_ended",
-                    "effect_started", "orientation_lost", "orientation_restored", "overrun", "shutting_down",
-                    "state_changed"]
+                    "effect_started", "measurement_accepted", "measurement_rejected", "orientation_lost",
+                    "orientation_restored", "overrun", "shutting_down", "state_changed"]
 
 Sense = Literal["ccw", "cw"]
 

@@ -7,10 +7,11 @@
 namespace hedgehog::control {
 namespace {
 
-constexpr std::array<std::string_view, 11> kTypes{
-    "effect_started",  "effect_ended",     "state_changed",        "derating_started",
-    "derating_ended",  "orientation_lost", "orientation_restored", "device_attached",
-    "device_detached", "overrun",          "rejected_number"};
+constexpr std::array<std::string_view, 13> kTypes{
+    "effect_started",       "effect_ended",     "state_changed",        "derating_started",
+    "derating_ended",       "orientation_lost", "orientation_restored", "measurement_rejected",
+    "measurement_accepted", "device_attached",  "device_detached",      "overrun",
+    "rejected_number"};
 static_assert(kTypes.size() == static_cast<std::size_t>(EventType::kRejectedNumber) + 1);
 
 constexpr std::array<std::string_view, 8> kEndReasons{

@@ -21,6 +21,8 @@ enum class EventType : std::uint8_t {
   kDeratingEnded,
   kOrientationLost,
   kOrientationRestored,
+  kMeasurementRejected,
+  kMeasurementAccepted,
   kDeviceAttached,
   kDeviceDetached,
   kOverrun,
@@ -68,7 +70,8 @@ struct Event {
   double current_a = 0.0;
   double temperature_c = 0.0;
   std::uint64_t count = 0;
-  /// kStateChanged by a trip: that of the trip.
+  /// kStateChanged by a trip: that of the trip. kMeasurementRejected, kMeasurementAccepted: the
+  /// measurement and the heat balance.
   Disagreement disagreement;
 };
 

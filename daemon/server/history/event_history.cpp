@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/history/event_history.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <bitset>
 #include <utility>
@@ -45,6 +48,13 @@ protocol::PastEvent as_past(const protocol::Event& event, std::int64_t unix_ms,
 bool only_replaces(const protocol::Event& event, const Effect* effect) {
   const bool started = event.type == "effect_started";
   return started ? effect != nullptr && effect->replacing : event.reason == "replaced";
+}
+
+/// "measurement_rejected 1 heat_balance thermistor": events with the same key form a series.
+std::string series_key(const protocol::Event& event) {
+  if (!event.disagreement) return event.type;
+  return fmt::format("{} {} {}", event.type, event.disagreement->coil,
+                     fmt::join(event.disagreement->between, " "));
 }
 
 HistoryPart part_of(const protocol::Event& event) {
@@ -122,19 +132,19 @@ void EventHistory::add(protocol::PastEvent&& event, std::int64_t unix_ms, unsign
   if (part.entries.size() > kMaxEach) part.entries.pop_front();
   if (!protocol::is_recurring(event.event.type)) return;
   write_series_again(unix_ms, true);
-  series_.insert_or_assign(type, EventSeries(std::move(event), unix_ms, number_));
+  std::string key = series_key(event.event);
+  series_.insert_or_assign(std::move(key), EventSeries(std::move(event), unix_ms, number_));
 }
 
 bool EventHistory::add_to_series(const protocol::PastEvent& event, std::int64_t unix_ms) {
-  const auto series = series_.find(type_index(event.event.type));
+  const auto series = series_.find(series_key(event.event));
   if (series == series_.end() || !series->second.add(event, unix_ms)) return false;
   show_series(series->second);
   return true;
 }
 
 bool EventHistory::completes_series(const protocol::PastEvent& line, std::int64_t unix_ms) {
-  const std::size_t type = type_index(line.event.type);
-  const auto series = series_.find(type);
+  const auto series = series_.find(series_key(line.event));
   if (series == series_.end() || !line.count || series->second.event().at != line.at) return false;
   series->second = EventSeries(line, unix_ms, series->second.number());
   show_series(series->second);
@@ -152,7 +162,7 @@ void EventHistory::show_series(const EventSeries& series) {
 
 void EventHistory::write_series_again(std::int64_t unix_ms, bool at_once) {
   Part& part = part_at(HistoryPart::kRecurring);
-  for (auto& [type, series] : series_) {
+  for (auto& [key, series] : series_) {
     // Until the first line is on disk, that line will contain the whole series.
     const bool written = series.number() <= part.on_disk;
     if (written && part.again.size() < kMaxAgain && series.take_due(unix_ms, at_once))

@@ -109,8 +109,8 @@ class EventHistory {
 
   Writer writer_;
   std::array<Part, kHistoryParts> parts_;
-  /// The newest series of each type.
-  std::map<std::size_t, EventSeries> series_;
+  /// The newest series of each type and disagreement (`series_key`).
+  std::map<std::string, EventSeries> series_;
   std::uint64_t number_ = 0;
   std::int64_t written_ms_ = 0;
   unsigned last_recording_ = 0;

@@ -6,7 +6,8 @@ extends Node
 
 ## The types of events.
 const EVENTS = ["derating_ended", "derating_started", "device_attached", "device_detached", "effect_ended",
-	"effect_started", "orientation_lost", "orientation_restored", "overrun", "shutting_down", "state_changed"]
+	"effect_started", "measurement_accepted", "measurement_rejected", "orientation_lost", "orientation_restored", "overrun",
+	"shutting_down", "state_changed"]
 
 ## Codes of refusals by name: a request's `code` and `error_name`.
 const ERROR_CODES = {

@@ -84,6 +84,10 @@ std::optional<protocol::Event> event_view(const control::Event& event, const Eff
     case EventType::kOverrun:
       out.skipped = event.count;
       return out;
+    case EventType::kMeasurementRejected:
+    case EventType::kMeasurementAccepted:
+      out.disagreement = disagreement_view(event.disagreement);
+      return out;
     case EventType::kOrientationLost:
     case EventType::kOrientationRestored:
       return out;

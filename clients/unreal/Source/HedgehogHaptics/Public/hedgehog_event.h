@@ -19,6 +19,8 @@ enum class EHedgehogEventType : uint8 {
   DeviceDetached,
   EffectEnded,
   EffectStarted,
+  MeasurementAccepted,
+  MeasurementRejected,
   OrientationLost,
   OrientationRestored,
   Overrun,

@@ -52,6 +52,8 @@ inline constexpr const char* kEvents[] = {
     "device_detached",
     "effect_ended",
     "effect_started",
+    "measurement_accepted",
+    "measurement_rejected",
     "orientation_lost",
     "orientation_restored",
     "overrun",
