@@ -49,7 +49,7 @@ void Controller::on_ball_replaced() noexcept {
   settings_.start_known = false;
   estimate_ = EstimateCheck();
   rejected_ = RejectedMeasurements();
-  reporter_.forget_measurements();
+  reporter_.clear_measurements();
   watchdog_.reset_windings(settings_.coils, settings_.thermal);
   observing_ = false;
 }

@@ -48,7 +48,7 @@ class EventReporter {
   /// Called once a tick, at its end.
   void report_changes(const ReportInputs& inputs, EventList& events) noexcept;
   /// No measurement is rejected any more, because there is another estimate: not an event.
-  void forget_measurements() noexcept { reported_.rejected = {}; }
+  void clear_measurements() noexcept { reported_.rejected = {}; }
 
  private:
   void report_orientation(const ReportInputs& inputs, EventList& events) noexcept;

@@ -144,7 +144,7 @@ TEST_F(RejectedMeasurementsTest, AnotherEstimateRejectsNoneWithoutAnEvent) {
   run_windows(3);
   ASSERT_EQ(events_.size(), 1u);
   rejected_ = RejectedMeasurements();
-  reporter_.forget_measurements();
+  reporter_.clear_measurements();
   thermistor_c(1) = kAmbientC;
   run_windows(30);
   EXPECT_EQ(events_.size(), 1u);
