@@ -101,7 +101,7 @@ Reason Controller::update_estimate(double dt_s) noexcept {
     start_observer(sensor_c());
   }
   observer_.step(m, dt_s);
-  rejected_.step(observer_, dt_s);
+  rejected_.step(observer_);
   // The filter changes at the end of a window only.
   if (starts || observer_.window_ended())
     skin_.set(model::SkinInputs::of(settings_.thermal, observer_.filter(), m.fan_running));

@@ -37,7 +37,7 @@ class RejectedMeasurementsTest : public testing::Test {
   void run_windows(int windows) {
     for (int tick = 0; tick < windows * kWindowTicks; ++tick) {
       observer_.step(measurement_);
-      rejected_.step(observer_, model::kTickSeconds);
+      rejected_.step(observer_);
       ++now_;
       EventList events;
       ReportInputs inputs{.tick = now_, .rejected = rejected_.rejected(), .last_trip = trip_};
@@ -151,18 +151,26 @@ TEST_F(RejectedMeasurementsTest, AnotherEstimateRejectsNoneWithoutAnEvent) {
 }
 
 TEST_F(RejectedMeasurementsTest, VIOfAWindingIsNamedAsItsResistance) {
-  const double ohm = model::CoilModel{}.r25_ohm[1];
-  measurement_.electrical_valid = true;
-  measurement_.supply_v = 12.0;
-  measurement_.current_a = measurement_.current_before_a = {0.0, 3.0, 0.0};
-  measurement_.voltage_v = {0.0, 3.0 * ohm, 0.0};
-  run_windows(10);
-  ASSERT_TRUE(events_.empty());
-  measurement_.voltage_v = {0.0, 1.5 * 3.0 * ohm, 0.0};
-  run_windows(10);
-  ASSERT_EQ(events_.size(), 1u);
-  EXPECT_EQ(events_[0].disagreement,
-            Disagreement(1, Quantity::kResistance, Quantity::kHeatBalance));
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    observer_ = model::ThermalObserver(model::CoilModel{}, model::ThermalModel{}, start());
+    rejected_ = RejectedMeasurements();
+    reporter_.clear_measurements();
+    events_.clear();
+    model::Vec3 current_a;
+    current_a[coil] = 3.0;
+    const double ohm = model::CoilModel{}.r25_ohm[static_cast<std::size_t>(coil)];
+    measurement_.electrical_valid = true;
+    measurement_.supply_v = 12.0;
+    measurement_.current_a = measurement_.current_before_a = current_a;
+    measurement_.voltage_v = ohm * current_a;
+    run_windows(10);
+    ASSERT_TRUE(events_.empty());
+    measurement_.voltage_v = 1.5 * ohm * current_a;
+    run_windows(10);
+    ASSERT_EQ(events_.size(), 1u) << coil;
+    EXPECT_EQ(events_[0].disagreement,
+              Disagreement(coil, Quantity::kResistance, Quantity::kHeatBalance));
+  }
 }
 
 TEST(RejectedSet, NamesEachSourceOnce) {

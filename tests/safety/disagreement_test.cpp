@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Sudden, ARejectedReading,
                                                 Quantity::kResistance}),
                                             ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
 
-TEST(RejectedReading, OfABallThatIsReplacedIsNotReportedAsAccepted) {
+TEST(RejectedReading, OfABallThatIsReplacedIsReportedOnceAndNotAsAccepted) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({0, 1, 0}, 8.0));
@@ -127,6 +127,7 @@ TEST(RejectedReading, OfABallThatIsReplacedIsNotReportedAsAccepted) {
   rig.command(control::ResetBall{});
   rig.run_s(5.0);
   EXPECT_EQ(rig.count(control::EventType::kMeasurementAccepted), 0);
+  EXPECT_EQ(rig.count(control::EventType::kMeasurementRejected), 1);
 }
 
 // V/I leaves its gate after the filter has taken a part of the change for a drift of R25: both

@@ -37,23 +37,22 @@ class RejectedSet {
 /// Control thread; real-time safe, trivially copyable.
 class RejectedMeasurements {
  public:
-  /// A measurement counts as rejected after this time outside its gate, and no longer after this
-  /// time within it. Time without the measurement, and after a start from unknown temperatures
-  /// while the estimate settles, counts for neither.
-  static constexpr double kRejectedS = 0.2;
-  static constexpr double kAcceptedS = 2.0;
+  /// A measurement counts as rejected after so many windows of the filter (0.1 s each) outside its
+  /// gate, and no longer after so many within it. Windows without the measurement, and after a
+  /// start from unknown temperatures those while the estimate settles, count for neither.
+  static constexpr int kRejectedWindows = 2;
+  static constexpr int kAcceptedWindows = 20;
 
-  /// Once a tick, of `dt_s`, after the observer's step.
-  void step(const model::ThermalObserver& observer, double dt_s) noexcept;
+  /// Once a tick, after the observer's step.
+  void step(const model::ThermalObserver& observer) noexcept;
   RejectedSet rejected() const noexcept { return rejected_; }
 
  private:
-  void follow(int index, bool rejected, double window_s) noexcept;
+  void follow(int index, bool rejected) noexcept;
 
   RejectedSet rejected_;
-  /// Time for which a measurement has been the opposite of `rejected_`, s.
-  std::array<double, RejectedSet::kSources> differing_s_{};
-  double window_s_ = 0.0;
+  /// Windows in which a measurement has been the opposite of `rejected_`.
+  std::array<int, RejectedSet::kSources> differing_windows_{};
 };
 
 }  // namespace hedgehog::control
