@@ -12,7 +12,7 @@
 namespace hedgehog::model {
 namespace {
 
-constexpr double kWindow = 0.1;
+constexpr double kFallWindowS = 0.1;
 
 TEST(ResistanceFall, IsCertainAfterManySmallDeviationsDownwards) {
   ResistanceFall fall;
@@ -40,7 +40,7 @@ TEST(ResistanceFall, RaisesTheBoundLongBeforeItIsCertainAndGivesItBackInMinutes)
   EXPECT_NEAR(fall.margin_k(), 2.5, 0.01);
   for (int i = 0; i < 50; ++i) fall.add(1.0, false);
   EXPECT_NEAR(fall.margin_k(), 2.5, 0.01) << "not at once: R25 may stay changed";
-  for (int i = 0; i < 3000; ++i) fall.age(kWindow);
+  for (int i = 0; i < 3000; ++i) fall.age(kFallWindowS);
   EXPECT_NEAR(fall.margin_k(), 2.5 / 2.718, 0.02);
 }
 
@@ -62,7 +62,7 @@ RestResistance shares_of_the_first(double share) { return {share * kFirst.ohm, k
 
 TEST(ResistanceFall, StaysCertainHoweverLongNothingIsMeasured) {
   ResistanceFall fall = fallen();
-  for (int i = 0; i < 36'000; ++i) fall.age(kWindow);
+  for (int i = 0; i < 36'000; ++i) fall.age(kFallWindowS);
   EXPECT_TRUE(fall.certain());
 }
 
