@@ -212,5 +212,28 @@ TEST(FolderSizeRule, CountsTheSourcesOfEachFolderOfTheProduct) {
               ElementsAre("daemon/server: has 25 files in C++, more than 24"));
 }
 
+SourceFile test_with(std::string path, const std::string& line, const std::string& in = "a") {
+  return {std::move(path), {"namespace " + in + " {", "namespace {", line, "}", "}"}};
+}
+
+TEST(TestConstantRule, RejectsASecondOneOfANameInTheNamespace) {
+  const SourceFile one = test_with("tests/x/a_test.cpp", "constexpr double kS = 0.1;");
+  for (const char* line : {"constexpr int kS = 2;", "constexpr std::array<int, 2> kS{1, 2};",
+                           "constexpr int kS[] = {1};", "static constexpr double kS = 0.1;"}) {
+    EXPECT_THAT(check_test_constants({{one, test_with("tests/x/y/b_test.cpp", line)}, {}, {}}),
+                ElementsAre("tests/x/y/b_test.cpp: kS is in tests/x/a_test.cpp too"));
+  }
+}
+
+TEST(TestConstantRule, AcceptsOtherFoldersNamespacesAndScopes) {
+  const SourceFile one = test_with("tests/x/a_test.cpp", "constexpr double kS = 0.1;");
+  for (const SourceFile& other : {test_with("tests/z/b_test.cpp", one.lines[2]),
+                                  test_with("tests/x/b_test.cpp", one.lines[2], "b"),
+                                  test_with("tests/x/b_test.cpp", "  " + one.lines[2]),
+                                  test_with("tests/x/b_test.cpp", "constexpr int kT = f(kS);"),
+                                  test_with("x/b.cpp", one.lines[2])})
+    EXPECT_THAT(check_test_constants({{one, other}, {}, {}}), IsEmpty()) << other.path;
+}
+
 }  // namespace
 }  // namespace hedgehog::structure
