@@ -18,7 +18,7 @@ ControlSettings rested() {
 }
 
 constexpr int kPlayed = 1;
-constexpr double kOhm = 0.45;
+constexpr double kObservedOhm = 0.45;
 
 /// Bridges that apply `current_a` to the resistance at 25 C of a winding, at supply voltage
 /// `supply_v`.
@@ -26,7 +26,7 @@ void drive(device::BoardTelemetry& board, double current_a, double supply_v) {
   board.bridges_awake = true;
   board.supply_v = supply_v;
   board.current_a[kPlayed] = current_a;
-  board.duty[kPlayed] = current_a * kOhm / supply_v;
+  board.duty[kPlayed] = current_a * kObservedOhm / supply_v;
 }
 
 /// A controller whose ball sleeps for 2 s with current readings of `reading_a`, then plays for 3 s,

@@ -11,7 +11,7 @@ namespace hedgehog::safety {
 namespace {
 
 using device::FrontEndKind;
-struct Vibration {
+struct RequestedVibration {
   FrontEndKind front_end = FrontEndKind::kInLine;
   int winding = 0;
   double frequency_hz = 60.0;
@@ -25,7 +25,7 @@ struct Delivered {
   double max_a = 0.0;
 };
 
-Delivered deliver(const Vibration& vibration) {
+Delivered deliver(const RequestedVibration& vibration) {
   rig::RigOptions options;
   options.board.front_end.kind = vibration.front_end;
   rig::Rig rig(options);

@@ -165,24 +165,30 @@ Violations check_readmes(const SourceTree& tree) {
   return violations;
 }
 
-Violations check_test_constants(const SourceTree& tree) {
+Violations check_test_names(const SourceTree& tree) {
   static const std::regex kNamespace("namespace ([a-z_:]+) \\{");
-  static const std::regex kConstant(
-      "(?:static |inline )?constexpr [^={(]*\\b(k[A-Z]\\w*)(?:\\[\\w*\\])*(?: =|\\{).*");
+  // A constant, a type, or the whole head of a function.
+  static const std::regex kDefinition(
+      "(?:static |inline )?const(?:expr)? [^={(]*\\b(k[A-Z]\\w*)(?:\\[\\w*\\])*(?: =|\\{).*"
+      "|(?:struct|class|enum class) (\\w+)(?: .*)?\\{"
+      "|(\\w[^;=]* \\w+\\(.*\\)(?: const| noexcept)*) \\{.*");
   Violations violations;
   std::map<std::string, std::string> defined_in;
   for (const SourceFile& file : tree.files) {
     if (!file.path.starts_with("tests/") || !file.path.ends_with(".cpp")) continue;
     const std::size_t folder_end = file.path.find('/', std::string_view("tests/").size());
-    std::string scope = file.path.substr(0, folder_end);
+    const std::string folder = file.path.substr(0, folder_end);
+    std::string scope;
     for (const std::string& line : file.lines) {
       std::smatch match;
-      if (std::regex_match(line, match, kNamespace)) scope += " " + match[1].str();
-      if (!std::regex_match(line, match, kConstant)) continue;
-      const auto [other, first] = defined_in.try_emplace(scope + "::" + match[1].str(), file.path);
-      if (!first && other->second != file.path)
-        violations.push_back(file.path + ": " + match[1].str() + " is in " + other->second +
-                             " too");
+      if (std::regex_match(line, match, kNamespace)) {
+        scope += match[1].str() + "::";
+      } else if (!scope.empty() && std::regex_match(line, match, kDefinition)) {
+        const std::string name = match[1].str() + match[2].str() + match[3].str();
+        const auto [other, first] = defined_in.try_emplace(folder + " " + scope + name, file.path);
+        if (!first && other->second != file.path)
+          violations.push_back(file.path + ": " + name + " is in " + other->second + " too");
+      }
     }
   }
   return violations;

@@ -32,9 +32,9 @@ Violations check_using(const SourceFile& file);
 // No #include of a source file; batches of the build are not in the tree.
 Violations check_included_sources(const SourceFile& file);
 
-// No two sources of the same folder of tests define a constant of the same name at the beginning of
-// a line in the same namespace: builds with sanitizers compile all tests of a program as one.
-Violations check_test_constants(const SourceTree& tree);
+// No two sources of the same folder of tests define the same constant, type or function in the same
+// namespace: builds with sanitizers compile all tests of a program as one.
+Violations check_test_names(const SourceTree& tree);
 
 // Names of the product use the terms of CONTRIBUTING.md.
 Violations check_terms(const SourceFile& file);

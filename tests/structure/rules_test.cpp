@@ -216,23 +216,34 @@ SourceFile test_with(std::string path, const std::string& line, const std::strin
   return {std::move(path), {"namespace " + in + " {", "namespace {", line, "}", "}"}};
 }
 
-TEST(TestConstantRule, RejectsASecondOneOfANameInTheNamespace) {
+TEST(TestNameRule, RejectsASecondOneOfANameInTheNamespace) {
   const SourceFile one = test_with("tests/x/a_test.cpp", "constexpr double kS = 0.1;");
   for (const char* line : {"constexpr int kS = 2;", "constexpr std::array<int, 2> kS{1, 2};",
                            "constexpr int kS[] = {1};", "static constexpr double kS = 0.1;"}) {
-    EXPECT_THAT(check_test_constants({{one, test_with("tests/x/y/b_test.cpp", line)}, {}, {}}),
+    EXPECT_THAT(check_test_names({{one, test_with("tests/x/y/b_test.cpp", line)}, {}, {}}),
                 ElementsAre("tests/x/y/b_test.cpp: kS is in tests/x/a_test.cpp too"));
   }
 }
 
-TEST(TestConstantRule, AcceptsOtherFoldersNamespacesAndScopes) {
+TEST(TestNameRule, RejectsASecondTypeAndFunction) {
+  for (const char* line : {"struct Case {", "class Case : public Test {", "int f(int a) {"}) {
+    EXPECT_THAT(check_test_names(
+                    {{test_with("tests/x/a_test.cpp", line), test_with("tests/x/b_test.cpp", line)},
+                     {},
+                     {}}),
+                testing::SizeIs(1))
+        << line;
+  }
+}
+
+TEST(TestNameRule, AcceptsOtherFoldersNamespacesAndScopes) {
   const SourceFile one = test_with("tests/x/a_test.cpp", "constexpr double kS = 0.1;");
   for (const SourceFile& other : {test_with("tests/z/b_test.cpp", one.lines[2]),
                                   test_with("tests/x/b_test.cpp", one.lines[2], "b"),
                                   test_with("tests/x/b_test.cpp", "  " + one.lines[2]),
                                   test_with("tests/x/b_test.cpp", "constexpr int kT = f(kS);"),
                                   test_with("x/b.cpp", one.lines[2])})
-    EXPECT_THAT(check_test_constants({{one, other}, {}, {}}), IsEmpty()) << other.path;
+    EXPECT_THAT(check_test_names({{one, other}, {}, {}}), IsEmpty()) << other.path;
 }
 
 }  // namespace

@@ -58,9 +58,7 @@ TEST_F(Tree, UsesItsUsingDeclarations) { EXPECT_THAT(check_all(check_using), IsE
 
 TEST_F(Tree, IncludesNoSources) { EXPECT_THAT(check_all(check_included_sources), IsEmpty()); }
 
-TEST_F(Tree, TestsOfAFolderShareNoConstant) {
-  EXPECT_THAT(check_test_constants(tree()), IsEmpty());
-}
+TEST_F(Tree, TestsOfAFolderShareNoName) { EXPECT_THAT(check_test_names(tree()), IsEmpty()); }
 
 TEST_F(Tree, NamesAreTerms) { EXPECT_THAT(check_all(check_terms), IsEmpty()); }
 
