@@ -23,7 +23,8 @@ class EventSeries {
   /// `event`: at `unix_ms`, possibly a series itself. `number`: of its entry.
   EventSeries(protocol::PastEvent event, std::int64_t unix_ms, std::uint64_t number);
 
-  /// Adds an event of the same type and disagreement at `unix_ms`; false: it does not belong to this series.
+  /// Adds an event of the same type and disagreement at `unix_ms`; false: it does not belong to
+  /// this series.
   bool add(const protocol::PastEvent& next, std::int64_t unix_ms);
   /// True if it has grown since it was written, and is over or due for rewriting (or `at_once`); it
   /// then counts as written.
