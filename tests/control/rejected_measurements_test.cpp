@@ -45,6 +45,12 @@ class RejectedMeasurementsTest : public testing::Test {
       for (const Event& event : events) events_.push_back(event);
     }
   }
+  /// Two healthy windows, then some in which the thermistor of `coil` reads 40 K too high.
+  void run_with_thermistor_off(int coil, int windows) {
+    run_windows(2);
+    thermistor_c(coil) = kAmbientC + 40.0;
+    run_windows(windows);
+  }
   static int thermistor_of(int coil) { return 2 * coil + 1; }
 
   model::ThermalObserver observer_;
@@ -63,18 +69,14 @@ TEST_F(RejectedMeasurementsTest, HealthyOnesAreAllAccepted) {
 }
 
 TEST_F(RejectedMeasurementsTest, OneWindowOutsideTheGateIsNone) {
-  run_windows(2);
-  thermistor_c(1) = kAmbientC + 40.0;
-  run_windows(1);
+  run_with_thermistor_off(1, 1);
   thermistor_c(1) = kAmbientC;
   run_windows(5);
   EXPECT_TRUE(events_.empty());
 }
 
 TEST_F(RejectedMeasurementsTest, AThermistorIsNamedAfterTwoWindowsAndOncePerRejection) {
-  run_windows(2);
-  thermistor_c(1) = kAmbientC + 40.0;
-  run_windows(1);
+  run_with_thermistor_off(1, 1);
   EXPECT_FALSE(rejected_.rejected().contains(thermistor_of(1)));
   run_windows(3);
   EXPECT_TRUE(rejected_.rejected().contains(thermistor_of(1)));
@@ -86,9 +88,7 @@ TEST_F(RejectedMeasurementsTest, AThermistorIsNamedAfterTwoWindowsAndOncePerReje
 }
 
 TEST_F(RejectedMeasurementsTest, ItIsAcceptedAgainAfterTwoSecondsWithinTheGate) {
-  run_windows(2);
-  thermistor_c(2) = kAmbientC + 40.0;
-  run_windows(3);
+  run_with_thermistor_off(2, 3);
   thermistor_c(2) = kAmbientC;
   run_windows(19);
   EXPECT_TRUE(rejected_.rejected().contains(thermistor_of(2)));
@@ -101,9 +101,7 @@ TEST_F(RejectedMeasurementsTest, ItIsAcceptedAgainAfterTwoSecondsWithinTheGate) 
 }
 
 TEST_F(RejectedMeasurementsTest, AWindowOutsideTheGateBeginsTheTwoSecondsAnew) {
-  run_windows(2);
-  thermistor_c(0) = kAmbientC + 40.0;
-  run_windows(2);
+  run_with_thermistor_off(0, 2);
   for (int i = 0; i < 5; ++i) {
     thermistor_c(0) = kAmbientC;
     run_windows(19);
@@ -114,9 +112,7 @@ TEST_F(RejectedMeasurementsTest, AWindowOutsideTheGateBeginsTheTwoSecondsAnew) {
 }
 
 TEST_F(RejectedMeasurementsTest, TimeWithoutTheMeasurementCountsForNeither) {
-  run_windows(2);
-  thermistor_c(0) = kAmbientC + 40.0;
-  run_windows(1);
+  run_with_thermistor_off(0, 1);
   measurement_.thermistors.valid[0] = false;
   run_windows(50);
   EXPECT_TRUE(events_.empty());
@@ -139,9 +135,7 @@ TEST_F(RejectedMeasurementsTest, WhileTheEstimateSettlesNoneCounts) {
 }
 
 TEST_F(RejectedMeasurementsTest, AnotherEstimateRejectsNoneWithoutAnEvent) {
-  run_windows(2);
-  thermistor_c(1) = kAmbientC + 40.0;
-  run_windows(3);
+  run_with_thermistor_off(1, 3);
   ASSERT_EQ(events_.size(), 1u);
   rejected_ = RejectedMeasurements();
   reporter_.clear_measurements();

@@ -4,9 +4,9 @@
 // nor a busy machine pushes news out.
 import { contradiction, eventText } from "./words.js";
 
-/** Events of one of these types within a minute are one line. */
 const kMeasurements = ["measurement_rejected", "measurement_accepted"];
 const kLapses = ["overrun", "orientation_lost", "orientation_restored"];
+/** Events of one of these types within a minute are one line. */
 const kRecurring = [...kLapses, ...kMeasurements];
 const kSeriesMs = 60_000;
 const kDerating = ["derating_started", "derating_ended"];

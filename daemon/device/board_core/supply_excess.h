@@ -14,8 +14,8 @@ namespace hedgehog::board {
 class SupplyExcess {
  public:
   /// Advances by one millisecond with the supply current as measured and as expected by the
-  /// windings' currents, at most 2^17; both 0 while they are not compared. True while it exceeds
-  /// it for kExcessSupplyMs, or in the mean.
+  /// windings' currents, mA, each at most 2^17; both 0 while they are not compared. True while the
+  /// measured one exceeds the expected one for kExcessSupplyMs, or in the mean.
   bool step(uint32_t drawn_ma, uint32_t expected_ma) noexcept {
     const bool exceeds = drawn_ma > with_tolerance(expected_ma) + kExcessSupplyMa;
     drawn_.step(drawn_ma);
