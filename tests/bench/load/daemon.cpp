@@ -40,12 +40,14 @@ Daemon::Quantiles Daemon::lateness() const {
   return quantiles_of(call(port_, "device.status").at("result").at("loop").at("lateness_us"));
 }
 
-Daemon::Quantiles Daemon::request_to_board() const {
+std::optional<Daemon::Quantiles> Daemon::request_to_board() const {
   const nlohmann::json response = call(port_, "effect.latency");
-  if (response.contains("result"))
-    return quantiles_of(response["result"].at("received_to_written_us"));
+  if (response.contains("result")) {
+    const nlohmann::json& us = response["result"].at("received_to_written_us");
+    return us.is_null() ? std::nullopt : std::optional(quantiles_of(us));
+  }
   const DelayHistogram delays = histogram("request_to_coil_seconds");
-  return {delays.quantile_us(0.5), delays.quantile_us(0.99)};
+  return Quantiles{delays.quantile_us(0.5), delays.quantile_us(0.99)};
 }
 
 DelayHistogram Daemon::histogram(const std::string& name) const {
