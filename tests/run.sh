@@ -28,7 +28,7 @@ pass() {
   [ "$code" -eq 0 ] || failed=$code
 }
 # Tests with the label `clock` wait most of the time.
-clock=(--repeat until-pass:2 -j "$((3 * jobs))")
+clock=(--repeat until-pass:2 -j "$((4 * jobs))")
 
 # For the table of stages: the number of tests, the time of each program, and the repeated tests.
 record() { # NAME
