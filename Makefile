@@ -29,7 +29,8 @@ help:
 	@echo 'make test-openrpc  the machine-readable protocol with OpenRPC'"'"'s own tools'
 	@echo 'make test-json-rpc  the daemon with JSON-RPC clients and JSON documents that others wrote'
 	@echo 'make test-bids  a study'"'"'s export before the BIDS validator'
-	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
+	@echo 'make test-all   linters, what ships, fault campaigns, and a third, of the day, of what takes longest: pages, USB, sanitizers'
+	@echo 'make test-all PARTS="1 2 3"  all of it (an hour)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
 	@echo 'make test-deb-upgrade  upgraded from the packages of the commit before, built for it (REV=COMMIT: of that one), also under systemd'
@@ -440,10 +441,31 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
 # none of the others from being tried; in CI one that would begin too late is not begun.
-.PHONY: waiting computing check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
+# What takes longest is divided into three parts, of which each day has one: PARTS=2 is another, PARTS="1 2 3" is everything.
+# The emulated machines of test-usb and test-service are never side by side: each needs a processor.
+PARTS ?= $(shell expr $$(date +%s) / 86400 % 3 + 1)
+export PARTS
+COMPUTING := mutations-in-ci coverage shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
+COMPUTING_1 := asan-tests asan-programs fuzz-in-ci
+COMPUTING_2 := check-in-ci
+COMPUTING_3 := tsan-tests tsan-programs
+WAITING_1 := test-sdk
+WAITING_2 := test-usb
+WAITING_3 := 'test-deb test-service PACKED=build/bench'
+BESIDE := test-openrpc test-json-rpc
+BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release
+BESIDE_2 := test-install rehearsal test-shipped
+BESIDE_3 := test-web
+parts_of = $(foreach part,$(PARTS),$($1_$(part)))
+.PHONY: computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
+computing:
+	@cmake/each_target.sh $(COMPUTING) $(call parts_of,COMPUTING)
 waiting:
-	@cmake/each_target.sh test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' \
-	  test-install test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release
+	@cmake/each_target.sh $(call parts_of,WAITING)
+beside:
+	@cmake/each_target.sh $(BESIDE) $(call parts_of,BESIDE)
+waiting-and-beside:
+	@tests/side_by_side.sh beside waiting
 
 check-in-ci:
 	@$(MAKE) --no-print-directory check CHECKS='tidy-product alone-third'
@@ -454,19 +476,12 @@ guards-in-ci firmware-guards-in-ci: %-in-ci:
 mutations-in-ci:
 	@$(MAKE) --no-print-directory mutations ARGS=--changed
 
-# On a slow machine the last of these have no time: which those are changes from day to day.
-BY_TURNS := check-in-ci fuzz-in-ci asan-programs tsan-programs guards-in-ci firmware-guards-in-ci
-TURN := $(shell expr $$(date +%s) / 86400 % $(words $(BY_TURNS)))
-TODAY := $(wordlist $(shell expr $(TURN) + 1),$(words $(BY_TURNS)),$(BY_TURNS)) $(wordlist 1,$(TURN),$(BY_TURNS))
-computing:
-	@cmake/each_target.sh mutations-in-ci coverage shipped instructions faults-ci asan-tests tsan-tests $(TODAY)
-
 # What is quick and fails often comes first.
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
 	$(MAKE) $(CONFIGURED_BENCH)
-	tests/side_by_side.sh waiting computing
+	tests/side_by_side.sh waiting-and-beside computing
 
 # All tests again and again on a machine that has no time for them.
 ROUNDS ?= 5

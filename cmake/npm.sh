@@ -5,10 +5,13 @@ set -eu
 
 from=$1
 to=$2
+mkdir -p "$to"
+# Of two that need the same packages one installs them.
+exec 9>"$to/.lock"
+flock 9
 if [ -d "$to/node_modules" ] && cmp -s "$from/package-lock.json" "$to/.installed"; then
   exit 0
 fi
-mkdir -p "$to"
 cp "$from/package.json" "$from/package-lock.json" "$to/"
 (cd "$to" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error)
 cp "$from/package-lock.json" "$to/.installed"

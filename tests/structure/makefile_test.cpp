@@ -99,6 +99,33 @@ TEST(Stages, BeginOnlyBeforeTheDeadline) {
   EXPECT_EQ(skipped.stages, "late\tno-such-target\nlate\thelp\n");
 }
 
+/// The stages of `make test-all` after the firmware, on a day with these parts.
+std::string stages_of(const std::string& parts) {
+  return commands_of("computing waiting beside PARTS='" + parts + "'");
+}
+
+TEST(Stages, OfThreeDaysAreAllAndEachLongOneIsOfOneDay) {
+  const std::string all = stages_of("1 2 3");
+  for (const std::string stage :
+       {"asan-tests", "asan-programs", "fuzz-in-ci", "check-in-ci", "tsan-tests", "tsan-programs",
+        "test-sdk", "test-usb", "test-web", "'test-deb test-service PACKED=build/bench'",
+        "test-install", "rehearsal", "test-shipped", "test-bids", "test-monitoring", "test-mqtt",
+        "test-discovery", "test-release"}) {
+    int days = 0;
+    for (const char* part : {"1", "2", "3"})
+      days += stages_of(part).find(stage) != std::string::npos ? 1 : 0;
+    EXPECT_EQ(days, 1) << stage;
+    EXPECT_THAT(all, HasSubstr(stage));
+  }
+}
+
+TEST(Stages, OfEachDayAreTheGuardsAndMutantsAndWhatShips) {
+  for (const char* part : {"1", "2", "3", "1 2 3"})
+    for (const char* stage : {"mutations-in-ci", "coverage", "shipped", "instructions", "faults-ci",
+                              " guards-in-ci", "firmware-guards-in-ci", "test-json-rpc"})
+      EXPECT_THAT(stages_of(part), HasSubstr(stage)) << part;
+}
+
 TEST(Stages, ThatFailAreNamedAndTheOthersMade) {
   const TargetsMade made = make_each("no-such-target 'help JOBS=1' neither-this", "");
   EXPECT_EQ(made.code, 1);
