@@ -29,7 +29,7 @@ help:
 	@echo 'make test-openrpc  the machine-readable protocol with OpenRPC'"'"'s own tools'
 	@echo 'make test-json-rpc  the daemon with JSON-RPC clients and JSON documents that others wrote'
 	@echo 'make test-bids  a study'"'"'s export before the BIDS validator'
-	@echo 'make test-all   linters, what ships, fault campaigns, and a third, of the day, of what takes longest: pages, USB, sanitizers'
+	@echo 'make test-all   what ships, guards, fault campaigns, and one of three parts, by the day: lint, pages, USB, sanitizers'
 	@echo 'make test-all PARTS="1 2 3"  all of it (an hour)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
@@ -441,9 +441,11 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
 # none of the others from being tried; in CI one that would begin too late is not begun.
-# What takes longest is divided into three parts, of which each day has one: PARTS=2 is another, PARTS="1 2 3" is everything.
+# The pages are bundled before, because two lanes use them. What takes longest is divided into three parts, of which each day has one: PARTS=2 is another, PARTS="1 2 3" is everything.
 # The emulated machines of test-usb and test-service are never side by side: each needs a processor.
-PARTS ?= $(shell expr $$(date +%s) / 86400 % 3 + 1)
+ifndef PARTS
+PARTS := $(shell expr $$(date +%s) / 86400 % 3 + 1)
+endif
 export PARTS
 COMPUTING := mutations-in-ci coverage shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
 COMPUTING_1 := asan-tests asan-programs fuzz-in-ci
@@ -451,10 +453,10 @@ COMPUTING_2 := check-in-ci
 COMPUTING_3 := tsan-tests tsan-programs
 WAITING_1 := test-sdk
 WAITING_2 := test-usb
-WAITING_3 := 'test-deb test-service PACKED=build/bench'
+WAITING_3 := 'test-deb test-service PACKED=build/bench' test-install
 BESIDE := test-openrpc test-json-rpc
 BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release
-BESIDE_2 := test-install rehearsal test-shipped
+BESIDE_2 := rehearsal test-shipped
 BESIDE_3 := test-web
 parts_of = $(foreach part,$(PARTS),$($1_$(part)))
 .PHONY: computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
@@ -481,6 +483,7 @@ test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
 	$(MAKE) $(CONFIGURED_BENCH)
+	-$(MAKE) dashboard racer-page
 	tests/side_by_side.sh waiting-and-beside computing
 
 # All tests again and again on a machine that has no time for them.

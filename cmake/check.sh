@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Format, lint and shell checks over the whole tree. Findings are printed.
 # check.sh [format|shell|tidy|alone|tidy-product|alone-third]...; default the first four. tidy-product excludes the tests;
-# alone-third too, and checks one in three of the other files: other ones when it has been three days.
+# alone-third too, and checks one in three of the other files: a different third every three days.
 # Exit: 0 clean, 1 not.
 # JOBS: how many linters at once.
 set -u
@@ -57,7 +57,7 @@ check_alone() {
 }
 
 # shellcheck disable=SC2317  # called by check_alone
-today() {
+third() {
   grep -v ' [^ ]*/tests/[^ ]*$' | awk -v turn="$(($(date +%s) / 86400 / 3))" '(NR + turn) % 3 == 0'
 }
 
@@ -69,7 +69,7 @@ for check in "$@"; do
     shell) check_shell ;;
     tidy) check_tidy ;;
     alone) check_alone cat ;;
-    alone-third) check_alone today ;;
+    alone-third) check_alone third ;;
     tidy-product) check_tidy /tests/ ;;
     *) echo "check.sh [format|shell|tidy|alone|tidy-product|alone-third]..." >&2; exit 64 ;;
   esac

@@ -6,7 +6,7 @@ set -eu
 from=$1
 to=$2
 mkdir -p "$to"
-# Of two that need the same packages one installs them.
+# When two run at once, one installs and the other waits.
 exec 9>"$to/.lock"
 flock 9
 if [ -d "$to/node_modules" ] && cmp -s "$from/package-lock.json" "$to/.installed"; then

@@ -27,7 +27,8 @@ class Daemon {
   /// second ago.
   Quantiles lateness() const;
   /// From reading a request to the board: the newest effects, by `effect.latency`; for a daemon
-  /// without this method, by its histogram. None while no effect has reached the board.
+  /// without this method, by its histogram. `effect.latency` has none while no effect has
+  /// reached the board.
   std::optional<Quantiles> request_to_board() const;
   /// A histogram of /metrics since the start, without the prefix of its name.
   DelayHistogram histogram(const std::string& name) const;

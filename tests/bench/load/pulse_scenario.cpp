@@ -21,6 +21,7 @@ namespace hedgehog::bench {
 namespace {
 
 constexpr double kTickUs = 1000.0;
+constexpr int kMaxFurtherPulses = 200;
 
 /// Sends a pulse, reads its response, and returns the device time at which it began, ns.
 std::int64_t play_pulse(Client& client) {
@@ -64,8 +65,10 @@ void add_pulses(const Daemon& daemon, const std::string& scenario, double second
   std::vector<double> delays = pulse_delays(daemon.port(), seconds);
   std::optional<Daemon::Quantiles> own = daemon.request_to_board();
   // On a busy machine a pulse can end before one of its set-points is written.
-  for (; !own; own = daemon.request_to_board())
+  for (int further = 0; !own; ++further, own = daemon.request_to_board()) {
+    if (further == kMaxFurtherPulses) throw std::runtime_error("no pulse has reached the board");
     for (const double delay : pulse_delays(daemon.port(), 0.0)) delays.push_back(delay);
+  }
   figures[scenario + " p50_ticks"] = quantile(delays, 0.5);
   figures[scenario + " p99_ticks"] = quantile(delays, 0.99);
   figures[scenario + " own p50_ticks"] = own->p50_us / kTickUs;
