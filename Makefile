@@ -30,7 +30,7 @@ help:
 	@echo 'make test-json-rpc  the daemon with JSON-RPC clients and JSON documents that others wrote'
 	@echo 'make test-bids  a study'"'"'s export before the BIDS validator'
 	@echo 'make test-all   what ships, guards, fault campaigns, and one of three parts, by the day: lint, pages, USB, sanitizers'
-	@echo 'make test-all PARTS="1 2 3"  all of it (an hour)'
+	@echo 'make test-all PARTS="1 2 3"  all of it (more than an hour)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
 	@echo 'make test-deb-upgrade  upgraded from the packages of the commit before, built for it (REV=COMMIT: of that one), also under systemd'
@@ -441,7 +441,8 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
 # none of the others from being tried; in CI one that would begin too late is not begun.
-# The pages are bundled before, because two lanes use them. What takes longest is divided into three parts, of which each day has one: PARTS=2 is another, PARTS="1 2 3" is everything.
+# What takes longest is divided into three parts, of which each day has one: PARTS=2 is another, PARTS="1 2 3" is everything.
+# Every second time a part comes before the daily stages, so that a slow machine has no time for other ones.
 # The emulated machines of test-usb and test-service are never side by side: each needs a processor.
 ifndef PARTS
 PARTS := $(shell expr $$(date +%s) / 86400 % 3 + 1)
@@ -458,14 +459,16 @@ BESIDE := test-openrpc test-json-rpc
 BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release
 BESIDE_2 := rehearsal test-shipped
 BESIDE_3 := test-web
-parts_of = $(foreach part,$(PARTS),$($1_$(part)))
+PART_FIRST := $(filter 1,$(shell expr $$(date +%s) / 86400 / 3 % 2))
+parts_of = $(if $(filter-out 1 2 3,$(PARTS)),$(error PARTS is $(PARTS): 1, 2, 3 or several of them))$(foreach part,$(PARTS),$($1_$(part)))
+stages_of = $(if $(PART_FIRST),$(call parts_of,$1) $($1),$($1) $(call parts_of,$1))
 .PHONY: computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 computing:
-	@cmake/each_target.sh $(COMPUTING) $(call parts_of,COMPUTING)
+	@cmake/each_target.sh $(call stages_of,COMPUTING)
 waiting:
-	@cmake/each_target.sh $(call parts_of,WAITING)
+	@cmake/each_target.sh $(call stages_of,WAITING)
 beside:
-	@cmake/each_target.sh $(BESIDE) $(call parts_of,BESIDE)
+	@cmake/each_target.sh $(call stages_of,BESIDE)
 waiting-and-beside:
 	@tests/side_by_side.sh beside waiting
 
@@ -478,7 +481,7 @@ guards-in-ci firmware-guards-in-ci: %-in-ci:
 mutations-in-ci:
 	@$(MAKE) --no-print-directory mutations ARGS=--changed
 
-# What is quick and fails often comes first.
+# What is quick and fails often comes first. The pages are bundled before two lanes need them.
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
