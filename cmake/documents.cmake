@@ -21,6 +21,7 @@ set(documents
     systemd/README.md systemd.md
     systemd/device-access.md device-access.md
     systemd/operate.md operate.md
+    systemd/other-machines.md other-machines.md
     systemd/several-balls.md several-balls.md)
 # Files elsewhere in the prefix to which documents link.
 set(data

@@ -47,22 +47,22 @@ Output run(const std::string& command) {
   return output;
 }
 
-std::string readme() {
-  std::ifstream in(source_folder() + "/systemd/README.md");
+std::string document(const std::string& name) {
+  std::ifstream in(source_folder() + "/systemd/" + name);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// A score in the README, as systemd-analyze's --threshold: "1.5" is 15. `pattern` has a group for
 /// each digit. Empty: the README has no such sentence.
 std::string documented_threshold(const std::string& pattern) {
-  const std::string text = readme();
+  const std::string text = document("README.md");
   std::smatch found;
   return std::regex_search(text, found, std::regex(pattern)) ? found.str(1) + found.str(2) : "";
 }
 
-/// The README's socket unit, for clients on other machines.
+/// The socket unit for clients on other machines.
 std::string documented_socket() {
-  const std::string text = readme();
+  const std::string text = document("other-machines.md");
   std::smatch found;
   const std::regex block("\\n((    .*\\n|\\n)*    \\[Socket\\]\\n(    .*\\n|\\n)*)");
   if (!std::regex_search(text, found, block)) return "";

@@ -136,8 +136,8 @@ echo '{ "listen": { "tcp": ["127.0.0.1:7586", "192.0.2.7:7586"] }, "http": { "li
 systemctl restart hedgehogd
 from_afar() { HEDGEHOG_PATIENCE_MS=$1 hedgehogctl --address tls://192.0.2.7:7586 "${@:2}"; }
 ! from_afar 3000 status >/tmp/out 2>&1 || fail "the service exchanges packets with other machines: $(cat /tmp/out)"
-# The example of systemd/README.md, with this machine's address.
-sed -n 's/^    //p' /usr/share/doc/hedgehogd/systemd.md | sed -n '/^Description=.*other machines/,/^WantedBy=/p' |
+# The example of systemd/other-machines.md, with this machine's address.
+sed -n 's/^    //p' /usr/share/doc/hedgehogd/other-machines.md | sed -n '/^Description=.*other machines/,/^WantedBy=/p' |
   sed -e '1i[Unit]' -e 's/192.168.7.5/192.0.2.7/; s/192.168.7.0/192.0.2.0/' >/etc/systemd/system/hedgehogd.socket
 [ "$(grep -c "ListenStream=192.0.2.7:758[67]" /etc/systemd/system/hedgehogd.socket)" = 2 ] || fail "the documents have no socket unit"
 systemctl daemon-reload
