@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures the way from a clone to the first push, by the commands of clients/README.md: clone.py [REPOSITORY].
+"""Measures the way from a clone to the first push, by the commands of clients/libraries.md: clone.py [REPOSITORY].
 
 The default repository is this one, as it is committed. The compiler's cache is empty, as on a new machine; packages that are
 already installed are not installed again. Prints the seconds after each command, and for each library all commands and seconds
@@ -63,7 +63,7 @@ def print_libraries(clone, prefix, daemon_s, library_s):
 
 def main():
     repository = sys.argv[1] if len(sys.argv) > 1 else str(ROOT)
-    clone, run = readme.Readme("README.md").commands()
+    clone, run = readme.Readme("libraries.md").commands()
     with tempfile.TemporaryDirectory() as folder:
         # `make run` passes ARGS to the daemon: a free port, and a home of its own.
         environment = dict(os.environ, CCACHE_DIR=str(pathlib.Path(folder) / "ccache"), ARGS="--listen 127.0.0.1:0", MAKEFLAGS="")

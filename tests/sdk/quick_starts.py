@@ -5,7 +5,7 @@
 Each README's program is written to an empty folder beside the sources, and its commands are pasted verbatim into one shell, in which
 `hedgehogd` is at a free port. Commands that wait for the daemon get one that starts LATE_S later, so that they fail if they do not
 wait. The printed table has the number of commands and the time until the daemon started the first pulse, without LATE_S. Exit: 1 a
-quick start fails, has more than ten lines, its push is cut off, or the table of clients/README.md has another number of commands.
+quick start fails, has more than ten lines, its push is cut off, or the table of clients/libraries.md has another number of commands.
 """
 
 import itertools
@@ -140,16 +140,16 @@ def measure_quick_start(daemon_program, library):
 
 
 def documented():
-    """The number of commands in the table of clients/README.md, by library; and from a clone to the daemon."""
-    text = (CLIENTS / "README.md").read_text(encoding="utf-8")
+    """The number of commands in the table of clients/libraries.md, by library; and from a clone to the daemon."""
+    text = (CLIENTS / "libraries.md").read_text(encoding="utf-8")
     return {name: int(count) for name, count in re.findall(r"^\| \[?([^]|]+?)(?:\]\([a-z]+/README\.md\))? \| (\d+) \|", text, re.M)}
 
 
 def print_row(name, commands, seconds, note):
-    """False: the table of clients/README.md has another number of commands."""
+    """False: the table of clients/libraries.md has another number of commands."""
     known = documented().get(name)
     if known != commands:
-        note += "  clients/README.md says %s commands" % known
+        note += "  clients/libraries.md says %s commands" % known
     print("%-24s %9d %9s%s" % (name, commands, seconds, note), flush=True)
     return known == commands
 
@@ -157,7 +157,7 @@ def print_row(name, commands, seconds, note):
 def main():
     libraries = sys.argv[2:] or [one for one in LIBRARIES if one != "C++"]
     print("%-24s %9s %9s" % ("", "commands", "seconds"))
-    well = print_row(FROM_CLONE, len(readme.Readme("README.md").commands()), "-", "  measured by clone.py")
+    well = print_row(FROM_CLONE, len(readme.Readme("libraries.md").commands()), "-", "  measured by clone.py")
     for library in libraries:
         commands, seconds, reason = measure_quick_start(sys.argv[1], library)
         note = NOTES.get(library, "") + ("" if reason == "completed" else "  its push: %s" % (reason or "none"))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """sizes.py PACKED WWW...: prints the sizes of the client libraries that a game includes, and of the pages that browsers load. PACKED
-is the folder of pack.sh; a page that was not built is omitted. Exit: 1 a file is missing or empty, or the table of clients/README.md or
+is the folder of pack.sh; a page that was not built is omitted. Exit: 1 a file is missing or empty, or the table of clients/libraries.md or
 the page's README has another size.
 """
 
@@ -16,15 +16,15 @@ APART = ("README.md", "source.md", "generate.py", "generate_messages.py", "__pyc
 # Where the size of each folder of pages is documented.
 COMPRESSED = r"([0-9.]+) kB, compressed"
 PAGES = {"www": ("dashboard/README.md", COMPRESSED), "racer": ("racer/page.md", COMPRESSED),
-         "client": ("README.md", r"([0-9.]+) in a page, bundled and compressed")}
+         "client": ("libraries.md", r"([0-9.]+) in a page, bundled and compressed")}
 
 # Relative tolerance of the documented sizes, because the libraries grow over time.
 TOLERANCE = 0.15
 
 
 def documented(folder):
-    """Size in kB of the library in `folder` by the table of clients/README.md; None: not documented."""
-    table = (CLIENTS / "README.md").read_text(encoding="utf-8")
+    """Size in kB of the library in `folder` by the table of clients/libraries.md; None: not documented."""
+    table = (CLIENTS / "libraries.md").read_text(encoding="utf-8")
     found = re.search(r"^\| \[[^]]+\]\(%s/README\.md\) (?:\|[^|]*){2}\| ([0-9.]+)," % folder, table, re.M)
     return float(found.group(1)) if found else None
 
