@@ -165,6 +165,14 @@ Violations check_readmes(const SourceTree& tree) {
   return violations;
 }
 
+Violations check_readme_size(const SourceFile& file) {
+  if (!file.path.ends_with("/README.md") || file.path == "protocol/README.md" ||
+      file.lines.size() <= kMaxReadmeLines)
+    return {};
+  return {file.path + ": has " + std::to_string(file.lines.size()) + " lines, more than " +
+          std::to_string(kMaxReadmeLines)};
+}
+
 Violations check_test_names(const SourceTree& tree) {
   static const std::regex kNamespace("namespace ([a-z_:]+) \\{");
   // A constant, a type, or the whole head of a function.

@@ -75,4 +75,9 @@ Violations check_folder_sizes(const SourceTree& tree);
 // Every top-level folder and every layer has a README.
 Violations check_readmes(const SourceTree& tree);
 
+// The README of a folder is one screen: at most kMaxReadmeLines, details are in other pages. The
+// protocol's is its specification.
+inline constexpr std::size_t kMaxReadmeLines = 60;
+Violations check_readme_size(const SourceFile& file);
+
 }  // namespace hedgehog::structure

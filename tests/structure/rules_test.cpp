@@ -196,6 +196,15 @@ TEST(ReadmeRule, ChecksTopLevelFoldersAndLayers) {
               ElementsAre("cmake: no README.md", "daemon/device: no README.md"));
 }
 
+TEST(ReadmeRule, LimitsTheLinesOfThoseOfFolders) {
+  const std::vector<std::string> screen(60), longer(61);
+  EXPECT_THAT(check_readme_size({"daemon/README.md", screen}), IsEmpty());
+  EXPECT_THAT(check_readme_size({"daemon/README.md", longer}),
+              ElementsAre("daemon/README.md: has 61 lines, more than 60"));
+  for (const char* path : {"README.md", "protocol/README.md", "daemon/access.md"})
+    EXPECT_THAT(check_readme_size({path, longer}), IsEmpty()) << path;
+}
+
 TEST(FolderSizeRule, CountsTheSourcesOfEachFolderOfTheProduct) {
   SourceTree tree;
   const auto add = [&](const std::string& folder, std::size_t count) {

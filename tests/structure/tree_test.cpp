@@ -95,5 +95,7 @@ TEST_F(Tree, FoldersAreSmall) { EXPECT_THAT(check_folder_sizes(tree()), IsEmpty(
 
 TEST_F(Tree, EveryFolderHasAReadme) { EXPECT_THAT(check_readmes(tree()), IsEmpty()); }
 
+TEST_F(Tree, ReadmesAreOneScreen) { EXPECT_THAT(check_all(check_readme_size), IsEmpty()); }
+
 }  // namespace
 }  // namespace hedgehog::structure
