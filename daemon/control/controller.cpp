@@ -153,7 +153,7 @@ Reason Controller::arming_blocker() const noexcept {
   const Reason implausible = watchdog_.arming_blocker();
   if (implausible != Reason::kNone) return implausible;
   // A board's heat latch may be older than this daemon.
-  constexpr std::uint16_t kByHeat = device::kFaultOverHeat | device::kFaultHeatBudget;
+  constexpr std::uint16_t kByHeat = board::kOverHeat | board::kHeatBudget;
   const auto board_heat = static_cast<std::uint16_t>(board_.faults & kByHeat);
   const Reason why = board_heat != 0 ? reason_of_faults(board_heat) : states_.reason();
   // The lost state may have contained an over-temperature trip.

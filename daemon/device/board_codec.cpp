@@ -5,28 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "daemon/device/board_core/board_core.h"
+#include "daemon/device/board_core/frame.h"
 
 namespace hedgehog::device {
 namespace {
-
-template <class A, class B>
-constexpr bool same(A a, B b) noexcept {
-  return static_cast<int>(a) == static_cast<int>(b);
-}
-static_assert(same(kFaultDeadMan, board::kDeadMan) &&
-              same(kFaultOverCurrent, board::kOverCurrent) &&
-              same(kFaultOverHeat, board::kOverHeat) &&
-              same(kFaultHeatBudget, board::kHeatBudget) && same(kFaultBridge, board::kBridge) &&
-              same(kFaultSensorOpen, board::kSensorOpen) &&
-              same(kFaultSensorShort, board::kSensorShort) &&
-              same(kFaultStuckBridge, board::kStuckBridge) && same(kFaultSupply, board::kSupply) &&
-              same(kFaultUnexpectedCurrent, board::kUnexpectedCurrent) &&
-              same(kFaultCurrentSense, board::kCurrentSense));
-static_assert(same(BoardMode::kSafe, board::Mode::kSafe) &&
-              same(BoardMode::kReady, board::Mode::kReady) &&
-              same(BoardMode::kDriving, board::Mode::kDriving) &&
-              same(BoardMode::kLatched, board::Mode::kLatched));
 
 template <class Integer>
 Integer rounded(double value) noexcept {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "daemon/device/board_core/fault.h"
 #include "model/estimate/current_accuracy.h"
 #include "model/limit/limited_currents.h"
 #include "model/vec3.h"
@@ -15,24 +16,9 @@ namespace hedgehog::device {
 /// Full duty on the wire.
 inline constexpr double kFullDuty = 32767.0;
 
-/// Faults detected by the board itself: bits of BoardTelemetry::faults. Latched on the board until
-/// armed.
-enum BoardFault : std::uint16_t {
-  kFaultDeadMan = 1u << 0,      // no valid set-point for 100 ms
-  kFaultOverCurrent = 1u << 1,  // |I| > 16.5 A for 50 ms
-  kFaultOverHeat = 1u << 2,     // sensor above the board's own limit, 75 C
-  kFaultHeatBudget = 1u << 3,   // the board's own I^2 t
-  kFaultBridge = 1u << 4,       // a bridge signals FLT
-  kFaultSensorOpen = 1u << 5,   // thermistor line at the rail
-  kFaultSensorShort = 1u << 6,  // thermistor line at ground
-  kFaultStuckBridge = 1u << 7,  // current for 20 ms after the safe state: supply switch opened
-  kFaultSupply = 1u << 8,       // supply voltage out of range (reference board: 6.5..18 V)
-  kFaultUnexpectedCurrent = 1u << 9,  // more current than the duties can drive
-  kFaultCurrentSense = 1u << 10,      // a driven winding's current is not measured
-};
-
-/// Mode of the board core.
-enum class BoardMode : std::uint8_t { kSafe = 0, kReady = 1, kDriving = 2, kLatched = 3 };
+/// Of the board's own rules, in BoardTelemetry.
+using BoardFault = board::Fault;
+using BoardMode = board::Mode;
 
 /// One set-point. Only `LimitedCurrents` produce duties other than zero. Trivially copyable.
 ///

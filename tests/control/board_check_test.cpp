@@ -92,17 +92,17 @@ TEST(BoardCheck, FiftyTicksWithoutBeingArmedIsARestart) {
 
 TEST(BoardCheck, NamesTheMostSevereFault) {
   const std::pair<std::uint16_t, Reason> most_severe_first[] = {
-      {device::kFaultStuckBridge, Reason::kBoardStuckBridge},
-      {device::kFaultBridge, Reason::kBridgeFault},
-      {device::kFaultUnexpectedCurrent, Reason::kUnexpectedCurrent},
-      {device::kFaultCurrentSense, Reason::kCurrentMismatch},
-      {device::kFaultOverCurrent, Reason::kBoardOverCurrent},
-      {device::kFaultOverHeat, Reason::kBoardOverHeat},
-      {device::kFaultHeatBudget, Reason::kBoardHeatBudget},
-      {device::kFaultSupply, Reason::kBoardSupply},
-      {device::kFaultSensorOpen, Reason::kSensorOpen},
-      {device::kFaultSensorShort, Reason::kSensorShort},
-      {device::kFaultDeadMan, Reason::kBoardDeadMan},
+      {board::kStuckBridge, Reason::kBoardStuckBridge},
+      {board::kBridge, Reason::kBridgeFault},
+      {board::kUnexpectedCurrent, Reason::kUnexpectedCurrent},
+      {board::kCurrentSense, Reason::kCurrentMismatch},
+      {board::kOverCurrent, Reason::kBoardOverCurrent},
+      {board::kOverHeat, Reason::kBoardOverHeat},
+      {board::kHeatBudget, Reason::kBoardHeatBudget},
+      {board::kSupply, Reason::kBoardSupply},
+      {board::kSensorOpen, Reason::kSensorOpen},
+      {board::kSensorShort, Reason::kSensorShort},
+      {board::kDeadMan, Reason::kBoardDeadMan},
   };
   EXPECT_EQ(reason_of_faults(0), Reason::kNone);
   std::uint16_t rest = 0;
@@ -117,7 +117,7 @@ TEST(BoardCheck, NamesTheMostSevereFault) {
 TEST(BoardCheck, ClearsAFaultThatIsNoLongerReported) {
   BoardCheck check;
   device::BoardTelemetry board;
-  board.faults = device::kFaultSupply;
+  board.faults = board::kSupply;
   check.step(true, true, board, 1);
   EXPECT_EQ(check.fault(), Reason::kBoardSupply);
   check.step(true, false, device::BoardTelemetry{}, 1);

@@ -42,8 +42,8 @@ TEST(Absent, ABallThatIsSilentHasLostItsTelemetry) {
 }
 
 TEST(ArmingBlocker, ABoardsHeatLatchUntilTheBallIsCool) {
-  for (const auto& [fault, blocker] : {std::pair{device::kFaultOverHeat, "board_over_heat"},
-                                       std::pair{device::kFaultHeatBudget, "board_heat_budget"}}) {
+  for (const auto& [fault, blocker] : {std::pair{board::kOverHeat, "board_over_heat"},
+                                       std::pair{board::kHeatBudget, "board_heat_budget"}}) {
     ControlSettings settings;
     settings.start_known = true;
     Controlled ball(settings);

@@ -51,7 +51,7 @@ TEST(StateMachine, ABoardThatNeverConfirmsIsNotArmed) {
   states.arm(Reason::kNone, 2);
   device::BoardTelemetry latched;
   latched.mode = device::BoardMode::kLatched;
-  latched.faults = device::kFaultBridge;
+  latched.faults = board::kBridge;
   for (model::Tick t = 3; t < 1000; ++t) states.step(latched, true, Reason::kNone, t);
   EXPECT_EQ(states.state(), State::kTripped);
   EXPECT_EQ(states.reason(), Reason::kBridgeFault);

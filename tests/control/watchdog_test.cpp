@@ -20,10 +20,10 @@ TEST(Watchdog, ADisarmedBallTripsOnlyByHeatStuckBridgeAndUnexpectedCurrent) {
     ball.board.faults = faults;
     return ball.run(100);
   };
-  EXPECT_EQ(reason_of(device::kFaultStuckBridge, false), Reason::kBoardStuckBridge);
-  EXPECT_EQ(reason_of(device::kFaultUnexpectedCurrent, false), Reason::kUnexpectedCurrent);
-  EXPECT_EQ(reason_of(device::kFaultSupply, false), Reason::kNone);
-  EXPECT_EQ(reason_of(device::kFaultSupply, true), Reason::kBoardSupply);
+  EXPECT_EQ(reason_of(board::kStuckBridge, false), Reason::kBoardStuckBridge);
+  EXPECT_EQ(reason_of(board::kUnexpectedCurrent, false), Reason::kUnexpectedCurrent);
+  EXPECT_EQ(reason_of(board::kSupply, false), Reason::kNone);
+  EXPECT_EQ(reason_of(board::kSupply, true), Reason::kBoardSupply);
   Watched hot;
   hot.board.sensor_c = 71.0;
   hot.armed = false;
@@ -39,7 +39,7 @@ TEST(Watchdog, TheBoardsOwnFaultIsNamedBeforeItsConsequences) {
   ball.run(100);
   ball.board.current_a = {0.0, 3.0, 0.0};
   ball.run(14);
-  ball.board.faults = device::kFaultBridge;
+  ball.board.faults = board::kBridge;
   EXPECT_EQ(ball.step(), Reason::kBridgeFault);
 }
 
@@ -120,8 +120,8 @@ TEST(Watchdog, AFrameCountsOnceHoweverLongItIsTheLast) {
 }
 
 TEST(Watchdog, ABrokenWireCountsByTheBoardsFaultOrByTheReading) {
-  for (const auto& [fault, named] : {std::pair{device::kFaultSensorOpen, Reason::kSensorOpen},
-                                     std::pair{device::kFaultSensorShort, Reason::kSensorShort}}) {
+  for (const auto& [fault, named] : {std::pair{board::kSensorOpen, Reason::kSensorOpen},
+                                     std::pair{board::kSensorShort, Reason::kSensorShort}}) {
     Watched ball;
     ball.armed = false;
     ball.board.faults = static_cast<std::uint16_t>(fault);
@@ -187,7 +187,7 @@ TEST(Watchdog, WhileArmingOnlyTheBoardsOwnLatchIsIgnored) {
   Watched latched;
   latched.arming = true;
   latched.board.mode = device::BoardMode::kLatched;
-  latched.board.faults = device::kFaultStuckBridge;
+  latched.board.faults = board::kStuckBridge;
   EXPECT_EQ(latched.run(100), Reason::kNone);
   latched.arming = false;
   EXPECT_EQ(latched.run(100), Reason::kBoardStuckBridge);

@@ -146,7 +146,7 @@ TEST(BoardCodec, DecodesTelemetryIntoUnits) {
   EXPECT_TRUE(telemetry.bridges_awake);
   EXPECT_EQ(telemetry.arm_count, 9);
   EXPECT_EQ(telemetry.sensor_conversions, 200);
-  EXPECT_EQ(telemetry.faults, kFaultDeadMan | kFaultStuckBridge | kFaultSupply);
+  EXPECT_EQ(telemetry.faults, board::kDeadMan | board::kStuckBridge | board::kSupply);
   EXPECT_EQ(telemetry.limit_sensor_c, 75.0);
   EXPECT_EQ(telemetry.limit_current_a, 16.5);
   EXPECT_EQ(telemetry.heat_used, 0.769);

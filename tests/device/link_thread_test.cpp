@@ -150,7 +150,7 @@ TEST(LinkThreads, SimulatorSettingsReachTheBoard) {
   settings.faults = kSimSensorOpen;
   port.simulator.write(settings);
   EXPECT_TRUE(drive_until(port, command, false, [](const LinkReport& r) {
-    return (r.telemetry.faults & kFaultSensorOpen) != 0;
+    return (r.telemetry.faults & board::kSensorOpen) != 0;
   }));
 }
 

@@ -104,12 +104,12 @@ TEST_F(Together, APulledCableIsSafeAfterAHundredMillisecondsOfTheBoard) {
   EXPECT_TRUE(both.board().core().outputs().awake);
   run(1);
   EXPECT_FALSE(both.board().core().outputs().awake);
-  EXPECT_TRUE(has(kFaultDeadMan));
+  EXPECT_TRUE(has(board::kDeadMan));
   expect_zero_soon();
   EXPECT_FALSE(both.link().report().present);
   fault(0);
   run(1000);
-  EXPECT_TRUE(has(kFaultDeadMan)) << "latched although set-points are back";
+  EXPECT_TRUE(has(board::kDeadMan)) << "latched although set-points are back";
   EXPECT_EQ(current(), 0.0);
   ++command.board.arm_count;
   run(50);
@@ -127,7 +127,7 @@ TEST_F(Together, ACurrentThatReadsThirtyPercentLowIsMadeSafeByTheSupplyCurrent) 
   for (; ms < 4000 && both.board().core().outputs().awake; ++ms) run(1);
   EXPECT_GT(ms, 1000) << "the mean, not the rule of 20 ms";
   EXPECT_LT(ms, 3000);
-  EXPECT_TRUE(has(kFaultUnexpectedCurrent));
+  EXPECT_TRUE(has(board::kUnexpectedCurrent));
   expect_zero_soon();
 }
 
@@ -139,14 +139,14 @@ TEST_F(Together, AStuckBridgeIsDetectedAndOpensTheSupplySwitchInTime) {
   int ms = 0;
   for (; ms < 30 && both.board().core().outputs().awake; ++ms) run(1);
   EXPECT_LE(ms, 10) << "10 % of 12 V, where nothing was asked";
-  EXPECT_TRUE(has(kFaultUnexpectedCurrent));
+  EXPECT_TRUE(has(board::kUnexpectedCurrent));
   EXPECT_GT(current(), 1.0) << "it does not obey SLP";
   run(19);
   EXPECT_TRUE(both.board().core().outputs().supply_switch_closed);
   EXPECT_NEAR(plant().current_a().z, 1.2 / 0.45, 0.01);
   run(1);
   EXPECT_FALSE(both.board().core().outputs().supply_switch_closed);
-  EXPECT_TRUE(has(kFaultStuckBridge));
+  EXPECT_TRUE(has(board::kStuckBridge));
   expect_zero_soon();
 }
 
@@ -155,13 +155,13 @@ TEST_F(Together, ABridgeFaultIsLatched) {
   run(50);
   fault(kSimBridgeFault, 0);
   run(5);
-  EXPECT_TRUE(has(kFaultBridge));
+  EXPECT_TRUE(has(board::kBridge));
   expect_zero_soon();
 }
 
 TEST_F(Together, ABrokenThermistorLineIsLatched) {
-  for (const auto& [sim, expected] : {std::pair{kSimSensorOpen, kFaultSensorOpen},
-                                      std::pair{kSimSensorShort, kFaultSensorShort}}) {
+  for (const auto& [sim, expected] : {std::pair{kSimSensorOpen, board::kSensorOpen},
+                                      std::pair{kSimSensorShort, board::kSensorShort}}) {
     fault(0);
     arm();
     run(50);
@@ -178,7 +178,7 @@ TEST_F(Together, AFallingSupplyIsLatched) {
   run(50);
   fault(kSimSupplyLow);
   run(12);
-  EXPECT_TRUE(has(kFaultSupply));
+  EXPECT_TRUE(has(board::kSupply));
   expect_zero_soon();
   EXPECT_NEAR(telemetry().supply_v, 5.0, 1e-9);
 }
@@ -252,7 +252,7 @@ TEST_F(Together, FifteenAmperesWithoutALimiterHitTheBoardsOwnLimits) {
   arm();
   int ms = 0;
   for (; ms < 120'000 && both.board().core().outputs().awake; ++ms) run(1);
-  EXPECT_TRUE(has(kFaultOverHeat));
+  EXPECT_TRUE(has(board::kOverHeat));
   EXPECT_LT(plant().hottest_winding_c(), 82.0) << "75 C at the sensor, which lags by 2 s";
   expect_zero_soon();
 }
@@ -264,7 +264,7 @@ TEST_F(Together, EvenWithAFrozenSensorTheBoardStopsAtItsHeatBudget) {
   arm();
   int ms = 0;
   for (; ms < 120'000 && both.board().core().outputs().awake; ++ms) run(1);
-  EXPECT_TRUE(has(kFaultHeatBudget));
+  EXPECT_TRUE(has(board::kHeatBudget));
   EXPECT_LT(plant().hottest_winding_c(), 100.0);
   expect_zero_soon();
 }

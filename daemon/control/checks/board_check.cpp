@@ -8,18 +8,17 @@
 namespace hedgehog::control {
 
 Reason reason_of_faults(std::uint16_t faults) noexcept {
-  using namespace device;
-  if ((faults & kFaultStuckBridge) != 0) return Reason::kBoardStuckBridge;
-  if ((faults & kFaultBridge) != 0) return Reason::kBridgeFault;
-  if ((faults & kFaultUnexpectedCurrent) != 0) return Reason::kUnexpectedCurrent;
-  if ((faults & kFaultCurrentSense) != 0) return Reason::kCurrentMismatch;
-  if ((faults & kFaultOverCurrent) != 0) return Reason::kBoardOverCurrent;
-  if ((faults & kFaultOverHeat) != 0) return Reason::kBoardOverHeat;
-  if ((faults & kFaultHeatBudget) != 0) return Reason::kBoardHeatBudget;
-  if ((faults & kFaultSupply) != 0) return Reason::kBoardSupply;
-  if ((faults & kFaultSensorOpen) != 0) return Reason::kSensorOpen;
-  if ((faults & kFaultSensorShort) != 0) return Reason::kSensorShort;
-  if ((faults & kFaultDeadMan) != 0) return Reason::kBoardDeadMan;
+  if ((faults & board::kStuckBridge) != 0) return Reason::kBoardStuckBridge;
+  if ((faults & board::kBridge) != 0) return Reason::kBridgeFault;
+  if ((faults & board::kUnexpectedCurrent) != 0) return Reason::kUnexpectedCurrent;
+  if ((faults & board::kCurrentSense) != 0) return Reason::kCurrentMismatch;
+  if ((faults & board::kOverCurrent) != 0) return Reason::kBoardOverCurrent;
+  if ((faults & board::kOverHeat) != 0) return Reason::kBoardOverHeat;
+  if ((faults & board::kHeatBudget) != 0) return Reason::kBoardHeatBudget;
+  if ((faults & board::kSupply) != 0) return Reason::kBoardSupply;
+  if ((faults & board::kSensorOpen) != 0) return Reason::kSensorOpen;
+  if ((faults & board::kSensorShort) != 0) return Reason::kSensorShort;
+  if ((faults & board::kDeadMan) != 0) return Reason::kBoardDeadMan;
   return Reason::kNone;
 }
 

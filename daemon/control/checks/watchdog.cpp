@@ -62,9 +62,9 @@ SensorReading Watchdog::sensor_reading(const WatchdogInputs& in, int coil,
   // The board does not report whose wire.
   const bool live = coil == sensor_winding_ && (board.mode != device::BoardMode::kLatched ||
                                                 !read || !is_possible(reading.sensor_c));
-  reading.open = (live && (board.faults & device::kFaultSensorOpen) != 0) ||
+  reading.open = (live && (board.faults & board::kSensorOpen) != 0) ||
                  thermistor.state == device::ThermistorState::kOpen;
-  reading.shorted = (live && (board.faults & device::kFaultSensorShort) != 0) ||
+  reading.shorted = (live && (board.faults & board::kSensorShort) != 0) ||
                     thermistor.state == device::ThermistorState::kShorted;
   reading.conversions = board.sensor_conversions;
   // The temperature of a winding known by the device file only would jump when it is referenced.

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "daemon/device/board_core/fault.h"
 #include "daemon/device/board_core/frame.h"
 #include "daemon/device/board_core/heat_budget.h"
 #include "daemon/device/board_core/limits.h"
@@ -13,29 +14,6 @@
 #include "daemon/device/board_core/supply_excess.h"
 
 namespace hedgehog::board {
-
-/// Bits as in device::BoardFault.
-enum Fault : uint16_t {
-  kDeadMan = 1u << 0,
-  kOverCurrent = 1u << 1,
-  kOverHeat = 1u << 2,
-  kHeatBudget = 1u << 3,
-  kBridge = 1u << 4,
-  kSensorOpen = 1u << 5,
-  kSensorShort = 1u << 6,
-  kStuckBridge = 1u << 7,
-  kSupply = 1u << 8,
-  kUnexpectedCurrent = 1u << 9,
-  kCurrentSense = 1u << 10,
-};
-
-/// Values as in device::BoardMode.
-enum class Mode : uint8_t {
-  kSafe = 0,     // never armed since power-up
-  kReady = 1,    // armed, bridges asleep
-  kDriving = 2,  // armed, bridges awake
-  kLatched = 3,  // after a fault: bridges asleep until armed
-};
 
 struct ThermistorInput {
   int16_t cc = 0;  // ignored when open or shorted

@@ -47,7 +47,7 @@ export const compareValue = (dutyQ15) => Math.floor((3124 * Math.abs(dutyQ15)) /
 
 export const kMode = { safe: 0, ready: 1, driving: 2, latched: 3 };
 
-/** Bits of BoardFault (daemon/device/board_core/board_core.h). */
+/** Bits of Fault (daemon/device/board_core/fault.h). */
 export const kFault = {
   deadMan: 1 << 0, overCurrent: 1 << 1, overHeat: 1 << 2, heatBudget: 1 << 3, bridge: 1 << 4, sensorOpen: 1 << 5,
   sensorShort: 1 << 6, stuckBridge: 1 << 7, supply: 1 << 8, unexpectedCurrent: 1 << 9, currentSense: 1 << 10,
