@@ -17,7 +17,7 @@ bool sounds(const DeviceView& device_view, const Effect& e) {
   if (device_view.now().applied_seq >= e.seq)
     return false;  // ended by itself; its event has not been read yet
   // Not applied yet; one whose connection has closed is ended at once.
-  return e.owner != 0 && e.spec.delay == 0 && e.spec.start_at <= device_view.now().tick;
+  return e.owner != 0 && e.plan.spec.delay == 0 && e.plan.spec.start_at <= device_view.now().tick;
 }
 
 /// `direction` as in onset_direction.
@@ -46,9 +46,9 @@ double unmeasured_share(const DeviceView& device_view, const model::Vec3& curren
 Felt felt_now(const DeviceView& device_view, EffectRegistry& effects, const Effect* except) {
   Felt felt;
   for (const Effect* e : effects.playing()) {
-    const int priority = e->spec.priority;
+    const int priority = e->plan.spec.priority;
     if (e == except || priority < felt.priority || !sounds(device_view, *e)) continue;
-    const Load load = load_of(e->spec, e->track.get(), device_view.config().device.coils,
+    const Load load = load_of(e->plan.spec, e->plan.track.get(), device_view.config().device.coils,
                               device_view.now().orientation);
     felt.load = priority > felt.priority ? load : felt.load + load;
     felt.priority = priority;

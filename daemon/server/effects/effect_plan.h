@@ -4,40 +4,27 @@
 
 #include <optional>
 
-#include "daemon/server/device/device_view.h"
-#include "daemon/server/effects/effect_registry.h"
-#include "daemon/server/effects/effect_spec.h"
-#include "protocol/methods.h"
+#include "daemon/server/effects/keyframe_track.h"
+#include "model/effect/effect.h"
+#include "protocol/values/effect_params.h"
 
 namespace hedgehog::server {
 
-class PatternLibrary;
-
-/// Context in which a request is resolved, and the role of its client.
-struct PlanContext {
-  const DeviceView& device_view;
-  const PatternLibrary& patterns;
-  protocol::Role role = protocol::Role::kObserve;
+/// Waveform fields that a pattern may set, unless the client does.
+struct Wave {
+  std::optional<model::Waveform> waveform{};
+  std::optional<double> frequency_hz{};
+  std::optional<double> on_fraction{};
 };
 
 struct EffectPlan {
-  /// Defaults filled in; without key frames, which are in `track`.
+  /// As requested, merged with updates, defaults filled in; without key frames.
   protocol::EffectParams params;
+  /// As set by the client; a pattern's own fields do not count.
   Wave requested_wave;
-  /// Without the range of its key frames, which is allocated later.
   model::EffectSpec spec;
+  /// For effect.play; its range in control's key frames is allocated later.
   KeyframeTrackPtr track;
 };
-
-/// Plan of a start, for playing or for computing only.
-protocol::Result<EffectPlan> plan_start(const PlanContext& context,
-                                        const protocol::EffectStart& request);
-/// Plan of `effect` after `update`; unchanged key frames keep their range.
-protocol::Result<EffectPlan> plan_update(const PlanContext& context, const Effect& effect,
-                                         const protocol::EffectParams& update);
-
-/// The error of a spec in the world's frame while the orientation is unknown.
-std::optional<protocol::RpcError> no_orientation(const DeviceView& device_view,
-                                                 const model::EffectSpec& spec);
 
 }  // namespace hedgehog::server

@@ -10,20 +10,11 @@
 #include <vector>
 
 #include "daemon/control/effects/command.h"
-#include "daemon/server/effects/keyframe_track.h"
+#include "daemon/server/effects/effect_plan.h"
 #include "daemon/server/session/session.h"
-#include "model/effect/effect.h"
 #include "protocol/methods.h"
-#include "protocol/values/effect_params.h"
 
 namespace hedgehog::server {
-
-/// Waveform fields that a pattern may set, unless the client does.
-struct Wave {
-  std::optional<model::Waveform> waveform{};
-  std::optional<double> frequency_hz{};
-  std::optional<double> on_fraction{};
-};
 
 struct Effect {
   control::EffectId id = 0;  // 0: the place is free
@@ -32,14 +23,7 @@ struct Effect {
   ConnectionId owner = 0;
   std::string client;
   std::optional<std::string> slot;
-  model::EffectMethod method = model::EffectMethod::kPulse;
-  /// The requested parameters with their defaults; updates are merged into it.
-  protocol::EffectParams params;
-  /// Waveform fields set explicitly by the client; a pattern's own do not count.
-  Wave requested_wave;
-  model::EffectSpec spec;
-  /// For effect.play.
-  KeyframeTrackPtr track;
+  EffectPlan plan;
   /// Seq of the command that started it.
   std::uint64_t seq = 0;
   /// It replaced an effect in its slot.

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "daemon/server/device/device_view.h"
-#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/effects/planning.h"
 #include "model/tick.h"
 #include "protocol/methods.h"
 #include "protocol/values/effect_params.h"

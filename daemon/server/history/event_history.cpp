@@ -39,7 +39,7 @@ protocol::PastEvent as_past(const protocol::Event& event, std::int64_t unix_ms,
                             const Effect* effect) {
   protocol::PastEvent past{.at = base::rfc3339(unix_ms), .event = event};
   if (effect != nullptr) {
-    past.method = std::string(protocol::name(effect->method));
+    past.method = std::string(protocol::name(effect->plan.spec.method));
     past.client = effect->client.empty() ? std::nullopt : std::optional(effect->client);
   }
   return past;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "daemon/server/effects/admission.h"
-#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/effects/planning.h"
 #include "daemon/server/rpc/handlers.h"
 
 namespace hedgehog::server {
@@ -77,7 +77,7 @@ std::optional<RpcError> place_keyframes(const Call& call, EffectPlan& plan) {
 }
 
 /// `plan` needs no key frames but those of `before`.
-bool same_keyframes(const Call& call, const Effect& before, const EffectPlan& plan) {
+bool same_keyframes(const Call& call, const EffectPlan& before, const EffectPlan& plan) {
   if (plan.track == nullptr || before.track == nullptr) return plan.track == before.track;
   return call.context.keyframes.holds(before.spec.trajectory.playback.first, *plan.track);
 }
@@ -85,16 +85,9 @@ bool same_keyframes(const Call& call, const Effect& before, const EffectPlan& pl
 /// Replaces the still queued start of `before` by that of `plan`, under the same number. False if
 /// it has been passed on, or if `plan` has other key frames, which would be queued after it.
 bool coalesce(const Call& call, const Effect& before, EffectPlan& plan) {
-  if (!same_keyframes(call, before, plan)) return false;
-  plan.spec.trajectory.playback.first = before.spec.trajectory.playback.first;
+  if (!same_keyframes(call, before.plan, plan)) return false;
+  plan.spec.trajectory.playback.first = before.plan.spec.trajectory.playback.first;
   return call.device_view().outbox().amend(before.id, plan.spec);
-}
-
-void set_plan(Effect& effect, EffectPlan&& plan) {
-  effect.params = std::move(plan.params);
-  effect.requested_wave = plan.requested_wave;
-  effect.spec = plan.spec;
-  effect.track = std::move(plan.track);
 }
 
 Outcome response_of(const Call& call, Delivery delivery, const Effect& effect, std::uint64_t seq) {
@@ -135,13 +128,12 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   auto delivery = admit(call, *plan, before);
   if (delivery.has_error()) return Response(delivery.error());
   if (waits && coalesce(call, *before, *plan)) {
-    before->method = request.method;
-    set_plan(*before, *std::move(plan));
+    before->plan = *std::move(plan);
     return response_of(call, *std::move(delivery), *before, before->seq);
   }
   if (full) return Response(std::move(*full));
   // One start per tick is enough for a slot; later ones with the same key frames amend it.
-  const bool in_turn = before != nullptr && same_keyframes(call, *before, *plan);
+  const bool in_turn = before != nullptr && same_keyframes(call, before->plan, *plan);
   if (auto refused = place_keyframes(call, *plan)) return Response(std::move(*refused));
 
   Effect& effect = context.effects.add(call.session.id);
@@ -160,8 +152,7 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   effect.replacing = before != nullptr;
   effect.client = call.session.client;
   effect.slot = slot;
-  effect.method = request.method;
-  set_plan(effect, *std::move(plan));
+  effect.plan = *std::move(plan);
   effect.seq = *seq;
   return response_of(call, *std::move(delivery), effect, *seq);
 }
@@ -175,11 +166,11 @@ Outcome handle(Call& call, const protocol::EffectUpdate& request) {
     return Response(protocol::invalid_params(request.params.delay_ms ? "delay_ms" : "start_at_ns",
                                              "this effect has begun already"));
   }
-  auto plan = plan_update(call.plan_context(), *effect, request.params);
+  auto plan = plan_update(call.plan_context(), effect->plan, request.params);
   if (plan.has_error()) return Response(plan.error());
   auto delivery = admit(call, *plan, effect);
   if (delivery.has_error()) return Response(delivery.error());
-  const bool other_frames = plan->track != effect->track;
+  const bool other_frames = plan->track != effect->plan.track;
   if (other_frames) {
     if (auto refused = place_keyframes(call, *plan)) return Response(std::move(*refused));
   }
@@ -187,8 +178,8 @@ Outcome handle(Call& call, const protocol::EffectUpdate& request) {
       call.session.id, control::UpdateEffect{effect->id, effect->place, plan->spec});
   if (!seq) return Response(queue_full(call.device_view().outbox()));
   if (other_frames)
-    call.context.keyframes.release_after(effect->spec.trajectory.playback.first, *seq);
-  set_plan(*effect, *std::move(plan));
+    call.context.keyframes.release_after(effect->plan.spec.trajectory.playback.first, *seq);
+  effect->plan = *std::move(plan);
   return response_of(call, *std::move(delivery), *effect, *seq);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/effects/planning.h"
 #include "daemon/server/effects/preview.h"
 #include "daemon/server/rpc/handlers.h"
 

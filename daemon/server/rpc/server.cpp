@@ -176,8 +176,10 @@ void Server::take_events() {
     if (event.type == control::EventType::kEffectEnded) {
       const std::optional<Effect> effect = effects_.ended(event.place, event.effect);
       if (effect)
-        ++counters().effects[{protocol::name(effect->method), control::name(event.end_reason)}];
-      if (effect && effect->track) keyframes_.release(effect->spec.trajectory.playback.first);
+        ++counters()
+              .effects[{protocol::name(effect->plan.spec.method), control::name(event.end_reason)}];
+      if (effect && effect->plan.track)
+        keyframes_.release(effect->plan.spec.trajectory.playback.first);
       notify(event, effect ? &*effect : nullptr);
     } else if (event.type == control::EventType::kEffectStarted) {
       effects_.begun(event.place, event.effect);

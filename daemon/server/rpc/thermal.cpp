@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // thermal.*
-#include "daemon/server/effects/effect_plan.h"
 #include "daemon/server/effects/load.h"
+#include "daemon/server/effects/planning.h"
 #include "daemon/server/rpc/handlers.h"
 
 namespace hedgehog::server {
@@ -58,8 +58,9 @@ Outcome handle(Call& call, const protocol::ThermalForecast& request) {
   }
   const control::EffectId number = request.effect.value_or(0);
   const Effect* effect = call.context.effects.any(number);
-  return effect == nullptr ? Response(protocol::no_such_effect(number))
-                           : forecast_spec(device_view, effect->spec, effect->track.get());
+  return effect == nullptr
+             ? Response(protocol::no_such_effect(number))
+             : forecast_spec(device_view, effect->plan.spec, effect->plan.track.get());
 }
 
 }  // namespace hedgehog::server

@@ -76,10 +76,10 @@ protocol::EffectStatus StatusView::effect(const Effect& effect) const {
   protocol::EffectStatus e;
   e.effect = effect.id;
   e.slot = effect.slot;
-  e.method = std::string(protocol::name(effect.method));
+  e.method = std::string(protocol::name(effect.plan.spec.method));
   e.connection = effect.owner;
   if (!effect.client.empty()) e.client = effect.client;
-  e.priority = effect.spec.priority;
+  e.priority = effect.plan.spec.priority;
   const control::EffectStatus& live = device_view_.now().effects[effect.place];
   if (live.effect == effect.id) {
     e.playing = live.playing;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/effects/planning.h"
 
 #include <utility>
 
@@ -81,18 +81,18 @@ std::optional<protocol::RpcError> no_orientation(const DeviceView& device_view,
   return e;
 }
 
-protocol::Result<EffectPlan> plan_update(const PlanContext& context, const Effect& effect,
+protocol::Result<EffectPlan> plan_update(const PlanContext& context, const EffectPlan& before,
                                          const EffectParams& update) {
-  const model::EffectMethod method = effect.spec.method;
+  const model::EffectMethod method = before.spec.method;
   EffectPlan plan;
-  auto params = merged(method, effect.params, update);
+  auto params = merged(method, before.params, update);
   if (params.has_error()) return params.error();
-  plan.requested_wave = first_set(wave_of(update), effect.requested_wave);
+  plan.requested_wave = first_set(wave_of(update), before.requested_wave);
   EffectParams fresh = update;
   set_wave(fresh, plan.requested_wave);
   auto track = take_keyframes(context, fresh);
   if (track.has_error()) return track.error();
-  plan.track = *track != nullptr ? *track : effect.track;
+  plan.track = *track != nullptr ? *track : before.track;
   plan.params = std::move(*params);
   if (*track != nullptr) {
     // No waveform field of the previous pattern is kept.
@@ -102,7 +102,7 @@ protocol::Result<EffectPlan> plan_update(const PlanContext& context, const Effec
   auto spec = make_spec(method, plan.params, spec_facts(context), plan.track.get());
   if (spec.has_error()) return spec.error();
   plan.spec = *spec;
-  plan.spec.trajectory.playback.first = effect.spec.trajectory.playback.first;
+  plan.spec.trajectory.playback.first = before.spec.trajectory.playback.first;
   return plan;
 }
 
