@@ -207,7 +207,7 @@ class Silent:
 class Deadlines(unittest.TestCase):
     def seconds(self, accepts):
         silent = Silent(accepts)
-        with mock.patch("hedgehog.ball._open", silent.open), mock.patch("time.monotonic", silent.monotonic), \
+        with mock.patch("hedgehog.ball.open_socket", silent.open), mock.patch("time.monotonic", silent.monotonic), \
                 mock.patch.dict(os.environ, {"RUNTIME_DIRECTORY": "/a", "HEDGEHOG_ADDRESS": ""}), \
                 self.assertRaises(hedgehog.NotConnected):
             hedgehog.Ball(timeout_s=2.0)
@@ -230,8 +230,8 @@ class Deadlines(unittest.TestCase):
             silent.now_s += one.gettimeout()
             raise socket.timeout("timed out")
         with mock.patch("socket.getaddrinfo", return_value=found), mock.patch("time.monotonic", silent.monotonic), \
-                mock.patch.object(hedgehog.ball.socket.socket, "connect", connect), self.assertRaises(socket.timeout):
-            hedgehog.ball._open(("slow.test", 7586), 2.0)
+                mock.patch.object(hedgehog.sockets.socket.socket, "connect", connect), self.assertRaises(socket.timeout):
+            hedgehog.sockets.open_socket(("slow.test", 7586), 2.0)
         self.assertEqual([round(one_s, 3) for one_s in timeouts], [0.5, 0.5, 0.5, 0.5])
 
     def test_without_unix_sockets_the_next_address_is_tried(self):

@@ -10,7 +10,7 @@ import time
 from collections import deque
 from typing import Any, Callable, Deque, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
 
-from .address import Address, MdnsAddress, TlsAddress, daemon_addresses
+from .address import Address, daemon_addresses
 from .backoff import Backoff, nobody_there, share_of
 from .discovery import BallNotFound, locate
 from .errors import NotConnected, RequestError, SubscriptionEnded
@@ -18,8 +18,8 @@ from .exchange import Exchange
 from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
 from .methods import Methods
 from .rumble import rumble_params
+from .sockets import open_socket
 from .subscriptions import Subscriptions
-from .tls import check_certificate, tls_context
 
 #: The longest that waiting for a notification keeps other threads from calling.
 SLICE_S = 0.02
@@ -186,7 +186,7 @@ class Ball(Methods):
         deadline = time.monotonic() + self._timeout_s
         for address in addresses:
             try:
-                self._socket = _open(address, share_of(deadline, len(addresses) - len(tried)))
+                self._socket = open_socket(address, share_of(deadline, len(addresses) - len(tried)))
                 break
             except (OSError, UnicodeError) as error:
                 # UnicodeError: a host name that cannot be encoded, as "a..b".
@@ -295,56 +295,3 @@ class Ball(Methods):
         if self._socket is not None:
             self._socket.close()
             self._socket = None
-
-
-def _open(address: Address, timeout_s: float) -> socket.socket:
-    if isinstance(address, TlsAddress):
-        deadline = time.monotonic() + timeout_s
-        plain = _open((address.host, address.port), timeout_s)
-        try:
-            plain.settimeout(share_of(deadline))
-            wrapped = tls_context(address).wrap_socket(plain, server_hostname=address.host)
-        except BaseException:
-            plain.close()
-            raise
-        try:
-            check_certificate(address, wrapped.getpeercert(True))
-        except OSError:
-            wrapped.close()
-            raise
-        return wrapped
-    # `locate` has replaced it.
-    assert not isinstance(address, MdnsAddress)
-    if not isinstance(address, str):
-        return _open_tcp(address, timeout_s)
-    if not hasattr(socket, "AF_UNIX"):
-        raise OSError("this system has no Unix sockets")
-    opened = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    try:
-        opened.settimeout(timeout_s)
-        opened.connect(address)
-    except OSError:
-        opened.close()
-        raise
-    return opened
-
-
-def _open_tcp(address: Tuple[str, int], timeout_s: float) -> socket.socket:
-    """Of all addresses of that name the first that answers."""
-    deadline = time.monotonic() + timeout_s
-    failure = OSError("its name has no address")
-    found = socket.getaddrinfo(*address, type=socket.SOCK_STREAM)
-    for number, (family, kind, protocol, _, place) in enumerate(found):
-        opened = None
-        try:
-            # Fails for a family that the kernel does not have.
-            opened = socket.socket(family, kind, protocol)
-            opened.settimeout(share_of(deadline, len(found) - number))
-            opened.connect(place)
-            opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            return opened
-        except OSError as error:
-            if opened is not None:
-                opened.close()
-            failure = error
-    raise failure
