@@ -12,22 +12,18 @@
 
 namespace hedgehog::control {
 
-/// The link sends the safe command after this many ticks without a set-point, so a gap heats for no
-/// longer.
+/// Longest gap without a set-point, after which the link sends the safe command.
 inline constexpr model::Tick kLongestGap = 20;
 
-/// Minimum voltage that opposes the current of a winding whose bridge sleeps: that of a diode. The
-/// supply adds to it in most bridges, which ends the current sooner.
+/// Minimum voltage opposing the current of a winding whose bridge sleeps: that of a diode. In most
+/// bridges the supply adds to it, which ends the current sooner.
 inline constexpr double kFreewheelV = 0.8;
 
 /// Electrical model of the windings: each a resistance and an inductance on one supply.
 struct WindingCircuit {
-  /// Estimated, ohm.
-  std::array<double, model::kCoils> resistance_ohm{};
-  /// Of each winding, henry.
-  double inductance_h = 0.0;
-  /// Measured, V.
-  double supply_v = 0.0;
+  std::array<double, model::kCoils> resistance_ohm{};  // estimated
+  double inductance_h = 0.0;                           // henry, of each winding
+  double supply_v = 0.0;                               // measured
 };
 
 /// Control thread; real-time safe, trivially copyable.
@@ -36,12 +32,11 @@ class CurrentPrediction {
   /// Advances by one tick with the new set-point `command`, boost included.
   void predict_currents(const device::BoardCommand& command,
                         const WindingCircuit& circuit) noexcept;
-  /// Advances by `skipped` ticks without a new set-point: the board holds `command` until the link
-  /// sends the safe one.
+  /// Advances by `skipped` ticks: the board holds `command` until the link sends the safe one.
   void advance_skipped_ticks(model::Tick skipped, const device::BoardCommand& command,
                              const WindingCircuit& circuit) noexcept;
 
-  /// Currents at the end of the tick, A.
+  /// Currents at the end of the tick.
   const model::Vec3& a() const noexcept { return a_; }
 
  private:

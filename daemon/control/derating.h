@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Detects thermal derating of the active effects. With a hold time, so that a vibration does not
-// toggle it every period.
+// Detects thermal derating of the active effects; the hold time bridges the periods of a vibration.
 #pragma once
 
 #include "model/tick.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the mixed effects to a set-point: limit, gate, drive. Used by the control thread and by the
-// preview.
+// From mixed effects to a set-point: limit, gate, drive; for the control thread and the preview.
 #pragma once
 
 #include "daemon/control/current_prediction.h"
@@ -11,12 +10,11 @@
 
 namespace hedgehog::control {
 
-/// Winding currents requested by `mix`, A, and the field they correspond to; not limited.
+/// Winding currents requested by `mix`, A, and their field; not limited.
 model::CoilCurrents demanded_currents(const MixResult& mix, const model::CoilModel& coils) noexcept;
 model::FieldDemand field_demand(const MixResult& mix, const model::CoilModel& coils) noexcept;
 
-/// `demand`, limited by the windings' thermal state `thermal` and by the skin's upper bound
-/// `skin_c`. Call it once every `dt_s`, like `ThermalLimiter::limit`.
+/// Limits `demand` by the windings' thermal state and the skin's upper bound. Call it every `dt_s`.
 model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& demand,
                              const model::ThermalEstimate& thermal, double skin_c,
                              double dt_s) noexcept;
@@ -30,8 +28,8 @@ constexpr model::LimitedCurrents gate(const model::LimitedCurrents& limited, boo
 double delivered_share(const model::CoilCurrents& demand,
                        const model::LimitedCurrents& passed) noexcept;
 
-/// The set-point that drives the currents from `now_a` to `passed`. Without a `playing` effect the
-/// bridges sleep: duty 0 alone would brake and keep them awake.
+/// The set-point that drives the currents from `now_a` to `passed`. Unless `playing` the bridges
+/// sleep: duty 0 alone would brake and keep them awake.
 device::BoardCommand drive(const model::LimitedCurrents& passed, bool playing,
                            const model::Vec3& now_a, const WindingCircuit& circuit) noexcept;
 

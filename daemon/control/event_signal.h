@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The signal to io to look at the ball, because events are unread or a client waits for a tick: a
-// file descriptor that io's poll waits for (eventfd(2)).
+// Wakes io because events are unread or a client waits for a tick: a file descriptor (eventfd(2)).
 #pragma once
 
 #include <atomic>
 
 namespace hedgehog::control {
 
-/// Raised after the events, and the status that belongs to them, have been published; taken before
-/// they are read. So none is left unread without a signal.
+/// Raised after events and their status are published, taken before they are read: none is missed.
 class EventSignal {
  public:
   /// Throws std::system_error.
@@ -17,8 +15,7 @@ class EventSignal {
   EventSignal& operator=(const EventSignal&) = delete;
   ~EventSignal();
 
-  /// Any thread. Neither allocates nor waits. One system call, none while the last signal has
-  /// not been taken: while io hangs, `raise` makes no further call.
+  /// Any thread. No allocation, no wait; one system call, none until the last signal is taken.
   void raise() noexcept;
   /// io thread.
   void take() noexcept;

@@ -13,13 +13,11 @@ namespace hedgehog::control {
 /// the sensor's own: the front direction when its fusion started, or that of an external feeder.
 class Heading {
  public:
-  /// Older orientations are not used.
-  static constexpr model::Tick kFresh = 100;
+  static constexpr model::Tick kFresh = 100;  // older orientations are not used
 
   /// Applies the tick's latest sample. An invalid rotation counts as no sample.
   void step(const device::OrientationSample& sample, model::Tick now) noexcept;
-  /// Sets the present front direction to `azimuth_deg` (anticlockwise from above). Ignored without
-  /// a known orientation.
+  /// Sets the present front to `azimuth_deg`, anticlockwise from above; ignored if not `present`.
   void recenter(double azimuth_deg) noexcept;
 
   /// At least one valid orientation has been received.

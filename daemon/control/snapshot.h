@@ -21,13 +21,10 @@
 namespace hedgehog::control {
 
 struct EffectStatus {
-  EffectId effect = 0;  // 0: the place is free
-  /// False while delayed or masked by a higher priority.
-  bool playing = false;
-  /// Ticks until it ends by itself.
-  model::Tick remaining = 0;
-  /// Its own share of the present current, A (0 while masked).
-  double current_a = 0.0;
+  EffectId effect = 0;        // 0: the place is free
+  bool playing = false;       // false while delayed or masked by a higher priority
+  model::Tick remaining = 0;  // until it ends by itself
+  double current_a = 0.0;     // its own share of the present current; 0 while masked
 };
 
 struct LoopStatistics {
@@ -38,23 +35,17 @@ struct LoopStatistics {
   double lateness_p99_us = 0.0;
   double lateness_max_us = 0.0;
   base::Histogram lateness;
-  /// Execution time of a tick.
-  base::Histogram work;
+  base::Histogram work;  // execution time of a tick
 };
 
 /// Sums over every tick since the start: sampling would miss bursts of 150 ms.
 struct Totals {
-  /// Integral of the measured |duty| of each bridge, s.
-  model::Vec3 on_s;
-  /// Integral of the measured |I|^2, all windings together.
-  double heat_a2s = 0.0;
-  /// Greatest measured |I|^2 of the last 17 to 32 ticks, A^2: io, which looks every 10 ms, misses
-  /// none in real time.
+  model::Vec3 on_s;       // integral of the measured |duty| of each bridge
+  double heat_a2s = 0.0;  // integral of the measured |I|^2, all windings together
+  /// Greatest measured |I|^2 of the last 17 to 32 ticks: io, every 10 ms in real time, misses none.
   double peak_a2 = 0.0;
-  /// Time with a derated effect, s.
-  double derated_s = 0.0;
-  /// From reading a request to passing its set-point to the link.
-  base::Histogram request_to_coil;
+  double derated_s = 0.0;           // time with a derated effect
+  base::Histogram request_to_coil;  // from reading a request to passing its set-point to the link
 };
 
 struct Trip {
@@ -66,11 +57,9 @@ struct Trip {
   Disagreement disagreement;
 };
 
-/// Trivially copyable.
 struct SkinStatus {
   model::SkinEstimate estimate;
-  /// Excess over `estimate.heated_c()` used for the current limit, K: the margin, or that measured
-  /// by a probe under the skin.
+  /// Excess over `estimate.heated_c()` for the limit: the margin, or by a probe under the skin.
   double above_k = 0.0;
   double bound_c = 25.0;
 };
@@ -82,25 +71,19 @@ struct StatusSnapshot {
   model::Tick since = 0;
   /// Reason of a trip that would recur at once if armed now (kNone: arming is possible).
   Reason arming_blocker = Reason::kNone;
-  /// The latch that must persist over a restart (kNone: none).
-  Reason latch = Reason::kNone;
-  /// Ticks until that latch may be cleared, and how often each reason was.
-  model::Tick rearm_wait = 0;
-  RearmCounts rearms{};
+  Reason latch = Reason::kNone;  // must persist over a restart; kNone: none
+  model::Tick rearm_wait = 0;    // until that latch may be cleared
+  RearmCounts rearms{};          // how often each reason was cleared
 
   bool board_present = false;
   device::BoardTelemetry board;
-  /// Age of the thermistor reading, since its conversion.
-  double sensor_age_s = 0.0;
-  /// The watchdog considers the thermistor reading usable.
-  bool sensor_valid = false;
+  double sensor_age_s = 0.0;  // of the thermistor reading, since its conversion
+  bool sensor_valid = false;  // usable, by the watchdog
 
-  /// The fan counts as cooling the core, by its tachometer; false while not driven.
-  bool fan_cooling = false;
+  bool fan_cooling = false;  // credited with cooling the core, by its tachometer, while driven
   bool fan_works = true;
 
-  /// The second thermometer; known: one is configured and delivers readings.
-  bool thermometer_known = false;
+  bool thermometer_known = false;  // the second one is configured and delivers readings
   double thermometer_c = 0.0;
 
   model::ThermalEstimate thermal;

@@ -16,8 +16,7 @@
 
 namespace hedgehog::control {
 
-/// Request to end an effect: by its owner (kStopped) or because its connection closed
-/// (kDisconnected).
+/// Request to end an effect: by its owner (kStopped), or its connection closed (kDisconnected).
 struct StopRequest {
   EffectId effect = 0;
   std::uint8_t place = 0;
@@ -27,14 +26,11 @@ struct StopRequest {
 /// The part of fixed size; a recording contains all of it.
 struct TickInputs {
   model::Tick tick = 0;
-  /// Ticks skipped between the last step and this one (the thread was late).
-  std::uint32_t skipped = 0;
-  /// A change signals device.emergency_stop.
-  std::uint32_t emergency_generation = 0;
+  std::uint32_t skipped = 0;  // ticks between the last step and this one (the thread was late)
+  std::uint32_t emergency_generation = 0;  // a change signals device.emergency_stop
 
   bool board_present = false;
-  /// True in the tick in which `board` is new.
-  bool board_fresh = false;
+  bool board_fresh = false;  // `board` is new in this tick
   device::BoardTelemetry board;
   device::OrientationSample orientation;
   device::ThermometerSample thermometer;

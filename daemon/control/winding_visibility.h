@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Windings that are driven without being measured by their own V/I, so that their temperature is
-// unknown.
+// Windings driven without being measured by their own V/I, so that their temperature is unknown.
 #pragma once
 
 #include <array>
@@ -15,12 +14,11 @@ namespace hedgehog::control {
 /// Control thread; real-time safe, trivially copyable.
 class WindingVisibility {
  public:
-  /// A winding that has been driven for this long without two consecutive frames, or with readings
-  /// from which V/I cannot be computed, counts as not measured.
+  /// Counts as not measured: driven for this long without consecutive frames or a computable V/I.
   static constexpr double kBlindAfterS = 0.5;
 
-  /// Advances by `dt_s`: the tick's telemetry, the bridge state it contains, whether the last
-  /// set-point drove, and the currents predicted from the set-points, A.
+  /// Advances by `dt_s`. `bridges_awake`: by telemetry; `driving`: by the last set-point;
+  /// `predicted_a`: predicted from the set-points.
   void step(const TelemetryPair& pair, bool bridges_awake, bool driving,
             const model::Vec3& predicted_a, double dt_s) noexcept;
 
@@ -33,9 +31,8 @@ class WindingVisibility {
 
  private:
   FaultDebounce unpaired_;
-  bool blind_ = false;  // every winding counts as not measured
-  /// Per winding: driven time without its V/I, s.
-  std::array<double, model::kCoils> unmeasured_s_{};
+  bool blind_ = false;                                // every winding counts as not measured
+  std::array<double, model::kCoils> unmeasured_s_{};  // driven time without its V/I
   model::Vec3 recent_peak_a_;
   double asleep_s_ = 0.0;
 };

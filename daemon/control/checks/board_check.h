@@ -14,25 +14,21 @@ namespace hedgehog::control {
 /// The reason for the gravest of the reported board faults; kNone without a fault.
 Reason reason_of_faults(std::uint16_t faults) noexcept;
 
-/// `limits`, tightened to those of a board that keeps tighter ones of an earlier configuration
-/// until its power-up: the current, and the derating law and the trip by the same number of
-/// kelvins.
+/// `limits`, tightened to the board's if it keeps those of an earlier configuration until its
+/// power-up: the current, and the derating law and the trip by the same number of kelvins.
 model::Limits limits_within(model::Limits limits, const device::BoardTelemetry& board) noexcept;
 
 /// Control thread; real-time safe, trivially copyable.
 class BoardCheck {
  public:
-  /// The ball counts as absent after this long without valid telemetry.
-  static constexpr model::Tick kSilence = 100;
-  /// An armed board that neither drives nor reports a fault has restarted. The delay covers frames
-  /// in transit.
-  static constexpr model::Tick kRestart = 50;
+  static constexpr model::Tick kSilence = 100;  // absent after this long without valid telemetry
+  static constexpr model::Tick kRestart = 50;   // delay of `restarted`, for frames in transit
 
   /// Advances by `ticks`.
   void step(bool present, bool fresh, const device::BoardTelemetry& board,
             model::Tick ticks) noexcept;
 
-  /// Present, with valid telemetry within the last 100 ms.
+  /// Present, with valid telemetry within kSilence.
   bool alive() const noexcept { return alive_; }
   /// Ticks since the last telemetry.
   model::Tick age() const noexcept { return age_; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plausibility of the winding currents: compares the measured currents with those that R and L
-// predict, once from the duty that the board reports and once from the commands sent. Detects
-// current without a set-point and current that R and L do not explain.
+// Plausibility of the winding currents: detects current without a set-point, and current other than
+// R and L predict from the duty that the board reports and from the commands sent.
 #pragma once
 
 #include <array>
@@ -16,32 +15,24 @@ namespace hedgehog::control {
 
 /// Inputs of the check for one tick. Trivially copyable.
 struct CurrentReading {
-  /// New telemetry arrived in this tick; `follows`: its frame directly follows the previous one.
-  bool fresh = false;
-  bool follows = false;
-  /// Time since the previous telemetry, s.
-  double since_s = model::kTickSeconds;
+  bool fresh = false;                    // new telemetry arrived in this tick
+  bool follows = false;                  // its frame directly follows the previous one
+  double since_s = model::kTickSeconds;  // since the previous telemetry
   /// Ticks skipped before this one; meanwhile the board held `held_v` or put its bridges to sleep.
   model::Tick skipped = 0;
   model::Vec3 current_a;
-  /// Per winding; false: its current is unknown.
-  std::array<bool, model::kCoils> measured{true, true, true};
-  /// Voltage applied over the last millisecond as the board reports it, V.
-  model::Vec3 applied_v;
-  /// Voltage of the last command sent, V; zero when that was the safe command.
-  model::Vec3 commanded_v;
-  /// The same without the boost.
-  model::Vec3 held_v;
+  std::array<bool, model::kCoils> measured{true, true, true};  // false: current is unknown
+  model::Vec3 applied_v;    // over the last millisecond, as the board reports it
+  model::Vec3 commanded_v;  // of the last command sent; zero when that was the safe command
+  model::Vec3 held_v;       // the same without the boost
 };
 
 /// Control thread; real-time safe, trivially copyable. Works at the control tick only.
 class CurrentCheck {
  public:
-  /// Faults must last this long; transport delays and edges do not. Shorter than the board's own
-  /// 20 ms, so that the reason is named here first.
+  /// Longer than transport delays and edges; shorter than the board's 20 ms, to trip before it.
   static constexpr double kHoldS = 0.015;
-  /// Permitted current in a winding without a set-point, A.
-  static constexpr double kIdleA = 0.5;
+  static constexpr double kIdleA = 0.5;  // permitted in a winding without a set-point
   /// Tolerance of the comparisons: noise, and R between 0 and 75 C; L +-20 % moves only edges.
   static constexpr double kOffsetA = 1.0;
   static constexpr double kShare = 0.2;
@@ -53,7 +44,7 @@ class CurrentCheck {
   Reason step(const CurrentReading& reading) noexcept;
   /// A fault condition held within the last ticks.
   bool pending() const noexcept;
-  /// Currents expected by now from the commands sent, A.
+  /// Currents expected by now from the commands sent.
   const model::Vec3& commanded_a() const noexcept { return commanded_a_; }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Consistency of energy balance, V/I and thermistors, by the innovations of the observer's filter.
-// A measurement outside its gate is not used; when it stays outside, the ball trips, because the
-// estimate then depends on one quantity fewer.
+// A measurement outside its gate is not used; if it stays outside, the ball trips, because the
+// estimate depends on one quantity fewer.
 #pragma once
 
 #include <array>
@@ -20,31 +20,27 @@ class EstimateCheck {
   static constexpr double kResistanceHoldS = 0.3;
   static constexpr double kThermistorHoldS = 1.0;
   static constexpr double kThermistorK = 2.0;
-  /// Offset of a thermistor beyond its tolerance.
-  static constexpr double kThermistorOffsetK = 3.5;
-  /// R25 against its value at the cold start, and against the device file, shares.
-  static constexpr double kDrift = 0.02;
-  static constexpr double kFileDrift = 0.08;
+  static constexpr double kThermistorOffsetK = 3.5;  // beyond its tolerance
+  static constexpr double kDrift = 0.02;             // R25 against its value at the cold start
+  static constexpr double kFileDrift = 0.08;         // R25 against the device file
   static constexpr double kDriftHoldS = 0.5;
-  /// Copper cools by 0.8 K/s at most: a V/I temperature that falls by more than this below its mean
-  /// of two seconds, at the same current, is not a temperature change.
+  /// Fall of V/I below its mean of 2 s at the same current: copper cools by 0.8 K/s at most.
   static constexpr double kFallK = 3.0;
   static constexpr double kFallHoldS = 0.1;
 
   static constexpr double kHotHoldS = 0.05;
 
-  /// Advances by `dt_s`. kOverheated when the likely temperature of a winding has been at `trip_c`
-  /// for 50 ms; kMeasurementsDisagree when `disagreement()` has lasted for its hold time. `supply`
+  /// Advances by `dt_s`. kOverheated: the likely temperature of a winding was at `trip_c` for
+  /// kHotHoldS; kMeasurementsDisagree: `disagreement()` has lasted for its hold time. `supply`
   /// identifies which of the quantities in V/I changed.
   Reason step(const model::ThermalObserver& observer, const SupplyBalance& supply, double trip_c,
               double dt_s) noexcept;
   /// The contradicting quantities of the last kMeasurementsDisagree.
   const Disagreement& disagreement() const noexcept { return disagreement_; }
 
-  /// For a trip as overheated: a V/I or thermistor at or above `trip_c` of a winding that the
-  /// filter expects below it, beyond the errors of both, and what contradicts it; none if they
-  /// agree, and while temperatures are a guess. A wrong reading trips before its contradiction has
-  /// lasted for the hold times above.
+  /// For a trip as overheated: a V/I or thermistor at or above `trip_c` that the filter expects
+  /// below it, beyond the errors of both, and what contradicts it; none if they agree, and while
+  /// temperatures are a guess. A wrong reading trips before the hold times above have passed.
   Disagreement contradicting_heat(const model::ThermalObserver& observer,
                                   const SupplyBalance& supply, double trip_c) const noexcept;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fault debouncing by a leaky integrator: the held time grows while the condition is true and falls
-// while it is false.
+// Fault debouncing by a leaky integrator: held time grows while the condition is true, else falls.
 #pragma once
 
 namespace hedgehog::control {

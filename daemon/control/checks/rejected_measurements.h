@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The measurements that the estimate's filter rejects because they are outside its gate: the
-// estimate rests on one quantity fewer, before the contradiction is a trip (estimate_check.h), or
-// without ever being one.
+// Measurements that the estimate's filter rejects as outside its gate: the estimate rests on one
+// quantity fewer, before the contradiction is a trip (estimate_check.h), or without becoming one.
 #pragma once
 
 #include <array>
@@ -15,8 +14,7 @@ namespace hedgehog::control {
 /// A set of Disagreement: V/I or thermistor of a winding with the heat balance. Trivially copyable.
 class RejectedSet {
  public:
-  /// V/I and thermistor of each winding.
-  static constexpr int kSources = 2 * model::kCoils;
+  static constexpr int kSources = 2 * model::kCoils;  // V/I and thermistor of each winding
   /// The disagreement of source 0..kSources - 1.
   static constexpr Disagreement source(int index) noexcept {
     return {index / 2, index % 2 == 0 ? Quantity::kResistance : Quantity::kThermistor,
@@ -37,9 +35,8 @@ class RejectedSet {
 /// Control thread; real-time safe, trivially copyable.
 class RejectedMeasurements {
  public:
-  /// A measurement counts as rejected after so many windows of the filter (0.1 s each) outside its
-  /// gate, and no longer after so many within it. Windows without the measurement, and after a
-  /// start from unknown temperatures those while the estimate settles, count for neither.
+  /// Filter windows (0.1 s) outside the gate until rejected, within it until accepted. Not counted:
+  /// without the measurement, and while the estimate settles from unknown temperatures.
   static constexpr int kRejectedWindows = 2;
   static constexpr int kAcceptedWindows = 20;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Supply current against the sum of duty times winding current, which the bridges draw. Different
-// sensors measure the two, so that a changed gain of a winding current is detected, which V/I
-// cannot distinguish from a changed resistance.
+// Supply current against the sum of duty times winding current, which the bridges draw. Independent
+// sensors: detects a changed gain of a winding current, which to V/I is a changed resistance.
 #pragma once
 
 #include <array>
@@ -17,8 +16,7 @@ namespace hedgehog::control {
 
 /// Inputs of one tick. Trivially copyable.
 struct SupplyReading {
-  /// New telemetry in which all of these were measured.
-  bool known = false;
+  bool known = false;  // new telemetry in which all of these were measured
   model::Vec3 duty;
   model::Vec3 current_a;
   double supply_current_a = 0.0;
@@ -29,14 +27,11 @@ struct SupplyReading {
 /// Control thread; real-time safe, trivially copyable.
 class SupplyBalance {
  public:
-  /// The smallest sum that is checked, A.
-  static constexpr double kMinSumA = 1.0;
-  /// Gain differences between winding and supply current beyond this exceed the tolerances.
-  static constexpr double kGain = 0.045;
+  static constexpr double kMinSumA = 1.0;  // smallest sum that is checked
+  static constexpr double kGain = 0.045;   // tolerated gain difference, winding to supply current
   static constexpr double kHoldS = 0.3;
   static constexpr double kGainHoldS = 0.5;
-  /// Maximum age of the last measured window: while V/I is at the trip, the limiter ends the
-  /// current.
+  /// Maximum age of the last measured window; at the trip temperature the limiter ends the current.
   static constexpr double kMaxLastAgeS = 0.1;
 
   SupplyBalance() noexcept : SupplyBalance(model::CoilModel{}.supply_v) {}
@@ -45,22 +40,19 @@ class SupplyBalance {
   /// Advances by `dt_s`. The winding whose current contradicts the supply current, or none.
   Disagreement step(const SupplyReading& reading, double dt_s) noexcept;
 
-  /// V/I of winding `coil` has changed by `share` since the start, or deviates by it from the
-  /// device file. Returns the quantity that changed, or the two between which it cannot
-  /// distinguish, also where the supply was not measured: by means over 0.3 s, or by the last
-  /// measured window of 20 ms for a younger change.
+  /// The quantity that changed when V/I of winding `coil` has changed by `share` since the start or
+  /// against the device file; or the two that cannot be distinguished, also without a measured
+  /// supply. By means over 0.3 s, or by the last measured window of 20 ms for a younger change.
   enum class Since : std::uint8_t { kStart, kFile };
   enum class By : std::uint8_t { kMeans, kLastWindow };
   Disagreement moved(int coil, double share, Since since, By by = By::kMeans) const noexcept;
 
-  /// Share by which winding `coil` reads high against the supply current, and its standard
-  /// deviation.
+  /// Share by which winding `coil` reads high against the supply current; its standard deviation.
   double gain(int coil) const noexcept;
   double gain_deviation(int coil) const noexcept;
 
  private:
-  // By winding, the share by which its current reads high against the supply's; then the offset of
-  // the supply current, A.
+  // `gain` of each winding, then the offset of the supply current, A.
   static constexpr std::size_t kOffset = model::kCoils;
   static constexpr std::size_t kStates = kOffset + 1;
   using Row = std::array<double, kStates>;
@@ -77,8 +69,7 @@ class SupplyBalance {
 
   Disagreement check(double dt_s) noexcept;
   void update(const Row& derivative, double variance, double difference_a) noexcept;
-  /// Magnitude of the gain difference less two standard deviations, and the winding with the
-  /// highest.
+  /// Magnitude of `gain` less two standard deviations; the winding with the highest.
   double certain_gain(int coil) const noexcept;
   int worst() const noexcept;
   void remember(const Row& derivative) noexcept;

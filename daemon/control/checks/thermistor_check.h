@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Plausibility of the thermistor: open, short, out of range, jumping, stale, frozen, or
-// inconsistent with the winding it is mounted on (daemon/safety.md). Checks the raw reading, and
-// compares it with the watchdog's own V/I of that winding, never with the limiter's estimate.
+// Plausibility of a thermistor's raw reading: open, short, out of range, jumping, stale, frozen, or
+// inconsistent with the watchdog's own V/I of the winding it is mounted on, never with the
+// limiter's estimate (daemon/safety.md).
 #pragma once
 
 #include <cstdint>
@@ -15,52 +15,43 @@ namespace hedgehog::control {
 
 /// Inputs of the check for one tick. Trivially copyable.
 struct SensorReading {
-  /// New telemetry arrived in this tick; otherwise the rest is ignored.
-  bool fresh = false;
+  bool fresh = false;  // new telemetry arrived in this tick; otherwise the rest is ignored
   bool open = false;
   bool shorted = false;
   double sensor_c = 25.0;
-  /// Counter of conversions, mod 256.
-  std::uint8_t conversions = 0;
-  /// The thermistor's own winding by its V/I; only while `measuring`.
+  std::uint8_t conversions = 0;  // counter of conversions, mod 256
   bool measuring = false;
-  double winding_c = 25.0;
-  /// Error bound of winding_c, K; not compared beyond kMaxWindingErrorK.
-  double winding_error_k = 0.0;
-  /// The part of it that is constant while the current is, K.
-  double winding_bias_k = 0.0;
-  /// Time since the previous telemetry, s.
-  double since_s = model::kTickSeconds;
+  double winding_c = 25.0;       // the thermistor's own winding by its V/I; only while `measuring`
+  double winding_error_k = 0.0;  // bound; not compared beyond kMaxWindingErrorK
+  double winding_bias_k = 0.0;   // the part of it that is constant while the current is
+  double since_s = model::kTickSeconds;  // since the previous telemetry
 };
 
 /// Control thread; real-time safe, trivially copyable.
 class ThermistorCheck {
  public:
-  /// Open or short, reported by the board in each frame.
-  static constexpr double kWireHoldS = 0.005;
+  static constexpr double kWireHoldS = 0.005;  // open or short, reported by the board in each frame
   /// Range of plausible temperatures near a hand.
   static constexpr double kLowestC = -20.0;
   static constexpr double kHighestC = 125.0;
   /// Longer than the board takes to report a broken wire, whose reading is also out of range.
   static constexpr double kImplausibleHoldS = 0.04;
-  /// Maximum change between two conversions, plus per second: 15 A warm a winding by 2.4 K/s at
-  /// most, noise is 0.15 K.
+  /// Maximum change between conversions, plus per second: 15 A give 2.4 K/s at most, noise 0.15 K.
   static constexpr double kJumpK = 4.0;
   static constexpr double kSlewK_s = 5.0;
   static constexpr double kJumpHoldS = 0.02;
-  /// The conversion counter does not change: not used after 0.25 s, a fault after 1 s.
+  /// The conversion counter does not change: the reading is not used, then a fault.
   static constexpr double kUnusedAfterS = 0.25;
   static constexpr double kStaleAfterS = 1.0;
-  /// The reading stayed within half a kelvin while its winding moved it by 4.9 K (a real thermistor
-  /// with a lag of 1..3 s would have followed).
+  /// The reading stayed within kStillK while its winding should have moved it by kFrozenK (a real
+  /// thermistor with a lag of 1..3 s would have followed).
   static constexpr double kStillK = 0.5;
   static constexpr double kFrozenK = 4.9;
   static constexpr double kFrozenHoldS = 0.05;
   /// Deviation from the range of a thermistor with a lag of 1..3 s.
   static constexpr double kDisagreeK = 12.0;
   static constexpr double kDisagreeHoldS = 0.5;
-  /// The error of the winding's V/I is added to both thresholds; no comparison if it is larger than
-  /// this.
+  /// The error of V/I is added to both thresholds (kFrozenK, kDisagreeK); maximum for a comparison.
   static constexpr double kMaxWindingErrorK = 4.0;
 
   /// Advances by `dt_s`. The reason to trip, or kNone.
@@ -88,21 +79,17 @@ class ThermistorCheck {
   double plausible_c_ = 25.0;  // last reading without a jump
   double plausible_age_s_ = 0.0;
   double winding_c_ = 25.0;  // when it was last measured
-  // Expected readings of thermistors with the shortest and the longest lag.
-  double quick_c_ = 25.0;
-  double slow_c_ = 25.0;
+  double quick_c_ = 25.0;    // expected reading of a thermistor with the shortest lag
+  double slow_c_ = 25.0;     // and with the longest
   double unmeasured_s_ = 1e9;
-  // The reading at its last change, and both expectations then.
-  double moved_sensor_c_ = 25.0;
+  double moved_sensor_c_ = 25.0;  // the reading at its last change, and both expectations then
   double moved_quick_c_ = 25.0;
   double moved_slow_c_ = 25.0;
-  // Minimum and maximum bias of its V/I since then.
-  double min_bias_k_ = 0.0;
+  double min_bias_k_ = 0.0;  // minimum and maximum bias of its V/I since then
   double max_bias_k_ = 0.0;
 };
 
-/// What the thermistor of winding `coil` contradicts that was found wrong by `reason`; none for a
-/// broken wire, which the board reports.
+/// What the thermistor of winding `coil`, rejected by `reason`, contradicts; broken wire: none.
 Disagreement disagreement_of(int coil, Reason reason) noexcept;
 
 }  // namespace hedgehog::control

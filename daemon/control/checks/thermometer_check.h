@@ -14,9 +14,8 @@ namespace hedgehog::control {
 struct ThermometerReading {
   device::ThermometerSample sample;
   model::Tick now = 0;
-  /// The board's own thermistor; `sensor`: it is usable.
-  bool sensor = false;
-  double sensor_c = 25.0;
+  bool sensor = false;     // the board's own thermistor is usable
+  double sensor_c = 25.0;  // its reading
   double trip_c = 70.0;
 };
 
@@ -28,8 +27,7 @@ class ThermometerCheck {
   static constexpr model::Tick kLost = 5000;
   static constexpr double kLowestC = -40.0;
   static constexpr double kHighestC = 125.0;
-  /// Longer than one or two corrupt readings.
-  static constexpr double kHotHoldS = 1.5;
+  static constexpr double kHotHoldS = 1.5;  // longer than one or two corrupt readings
   /// Deviation from the range of a probe with a lag of 1..40 s beside the thermistor.
   static constexpr double kDisagreeK = 10.0;
   static constexpr double kDisagreeHoldS = 5.0;
@@ -64,10 +62,9 @@ class ThermometerCheck {
   model::Tick age_ = 0;
   double celsius_ = 0.0;
   FaultDebounce hot_, disagrees_;
-  // Expected readings of probes with the shortest and the longest lag beside the thermistor.
   bool following_ = false;
-  double quick_c_ = 25.0;
-  double slow_c_ = 25.0;
+  double quick_c_ = 25.0;  // expected reading beside the thermistor, with the shortest lag
+  double slow_c_ = 25.0;   // and with the longest
 };
 
 }  // namespace hedgehog::control

@@ -26,15 +26,11 @@ struct WatchdogInputs {
   bool fresh = false;
   const device::BoardTelemetry& board;
   const TelemetryPair& pair;
-  /// The set-point of the last tick.
-  const device::BoardCommand& commanded;
+  const device::BoardCommand& commanded;  // the set-point of the last tick
   double trip_c = 70.0;
-  /// Ticks since the last step, 1 or more.
-  model::Tick ticks = 1;
-  /// If false, only the reasons that stop the ball in every state count.
-  bool armed = true;
-  /// The board has been requested to clear its latch.
-  bool arming = false;
+  model::Tick ticks = 1;  // since the last step, 1 or more
+  bool armed = true;      // if false, only the reasons that stop the ball in every state count
+  bool arming = false;    // the board has been requested to clear its latch
   model::Tick now = 0;
   device::ThermometerSample thermometer;
 };
@@ -92,8 +88,7 @@ class Watchdog {
                                        double dt_s) noexcept;
 
   int sensor_winding_ = 0;
-  /// Of the board: 1, on `sensor_winding_`, or one on each of the first windings.
-  int thermistor_count_ = 1;
+  int thermistor_count_ = 1;  // 1, on `sensor_winding_`, or one on each of the first windings
   model::ThermistorReadings thermistors_;
   SupplyBalance supply_;
   Disagreement disagreement_;

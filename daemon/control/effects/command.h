@@ -21,14 +21,14 @@ namespace hedgehog::control {
 /// Number of an effect: unique while the daemon runs, 0 is none.
 using EffectId = std::uint32_t;
 
-/// Places for effects in the mixer. io assigns at most 64 to playing effects; the others hold
-/// effects that were replaced or have ended until io has read their last state.
+/// Places for effects in the mixer. io assigns at most kMaxEffects to playing effects; the others
+/// hold effects that were replaced or have ended until io has read their last state.
 inline constexpr int kEffectPlaces = 128;
 inline constexpr int kMaxEffects = 64;
 inline constexpr int kMaxCommandsPerTick = 64;
 
-/// Capacity for the key frames of all effects together, in the mixer. io allocates it: a range is
-/// free again after `effect_ended` of every effect that uses it.
+/// Capacity for the key frames of all effects. io allocates it: a range is free again after
+/// `effect_ended` of every effect that uses it.
 inline constexpr int kKeyframeCapacity = 2048;
 
 /// A slice of key frames; those of an effect precede its start, in the same tick.
@@ -58,17 +58,14 @@ struct LoadKeyframes {
 
 struct StartEffect {
   EffectId effect = 0;
-  /// Assigned by io: free after `effect_ended` of its previous effect was read.
-  std::uint8_t place = 0;
-  /// This effect ends as `replaced` in the same tick (0: none); its phase is kept if method and
-  /// waveform are equal.
+  std::uint8_t place = 0;  // assigned by io after it read `effect_ended` of the previous effect
+  /// Ends as `replaced` in this tick (0: none); its phase is kept if method and waveform are equal.
   EffectId replaces = 0;
   std::uint8_t replaces_place = 0;
   model::EffectSpec spec;
 };
 
-/// New parameters for a playing effect: phase kept, lease renewed. Ignored if it has ended
-/// meanwhile.
+/// New parameters for a playing effect: phase kept, lease renewed. Ignored if it has ended.
 struct UpdateEffect {
   EffectId effect = 0;
   std::uint8_t place = 0;
@@ -77,8 +74,7 @@ struct UpdateEffect {
 
 /// Ignored if an emergency stop was requested after it: the stop bypasses the queue, this does not.
 struct Arm {
-  /// `Mailbox::emergency_generation` at the request.
-  std::uint32_t generation = 0;
+  std::uint32_t generation = 0;  // `Mailbox::emergency_generation` at the request
 };
 
 /// Sets the present front direction to `azimuth_deg`.
@@ -94,16 +90,14 @@ struct SetLimits {
   model::Limits limits;
 };
 
-/// The ball has, or may have, been replaced: its thermal state is unknown, and it stays without
-/// current until a client arms it.
+/// The ball may have been replaced: thermal state unknown, no current until a client arms it.
 struct ResetBall {};
 
 /// Sends the board to its boot loader, unless it is armed or being armed.
 struct EnterBootLoader {};
 
 struct Command {
-  /// Incremented with each command; a status with an `applied_seq` at or above it includes its
-  /// effect.
+  /// Incremented with each command; a status with `applied_seq` at or above it includes its effect.
   std::uint64_t seq = 0;
   std::variant<StartEffect, UpdateEffect, LoadKeyframes, Arm, Recenter, SetGain, SetLimits,
                ResetBall, EnterBootLoader>

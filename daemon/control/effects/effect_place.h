@@ -16,21 +16,18 @@ namespace hedgehog::control {
 /// Control thread. Trivially copyable. Every function is real-time safe.
 class EffectPlace {
  public:
-  /// A new effect, applied at tick `now`. It waits for its `start_at` or `delay` (a `start_at` in
-  /// the past means now).
+  /// A new effect, applied at tick `now`. Waits for its `delay` or `start_at` (in the past: now).
   void begin(EffectId effect, const model::EffectSpec& spec, model::Tick now) noexcept;
 
-  /// Continues `previous`: same waveform phase and same position on the ring. If both are leased,
-  /// the attack and the same loop of key frames continue too, so that a client may send its whole
-  /// effect every frame. Does nothing unless method and waveform are equal and `previous` has
-  /// played.
+  /// Continues `previous` if it has played, with equal method and waveform: keeps waveform phase
+  /// and position on the ring. If both are leased, the attack and the same loop of key frames
+  /// continue too, so that a client may send its whole effect every frame.
   void continue_from(const EffectPlace& previous) noexcept;
 
   /// New parameters; phase and onset are kept, the lease is renewed at `now`.
   void update(const model::EffectSpec& spec, model::Tick now) noexcept;
 
-  /// Advances by `ticks` to `now`: moves the phase, or starts to play. False if the effect ends now
-  /// by itself, for the reason `natural_end`. `frames`: all loaded key frames.
+  /// Advances by `ticks` to `now`, with all loaded key frames. False at its `natural_end`.
   bool advance(model::Tick now, model::Tick ticks,
                std::span<const model::Keyframe> frames) noexcept;
 
@@ -40,17 +37,16 @@ class EffectPlace {
   /// True if it plays to its end after its connection has closed.
   bool finishes_on_close() const noexcept;
 
-  /// Current requested by its own shape in this tick, A, 0..15; its direction as a unit vector, in
-  /// its own frame.
+  /// Current requested by its own shape in this tick, 0..15; unit vector of it, in its own frame.
   double requested_a() const noexcept;
   model::Vec3 direction() const noexcept;
 
-  /// Result of this tick for a playing effect: masked by a higher priority; or output, with
-  /// `fraction` (0..1) of the request delivered, alone or mixed with others.
+  /// Result of a tick while playing: masked by a higher priority, or `fraction` (0..1) of the
+  /// request delivered, alone or mixed with others.
   void note_masked() noexcept { ++delivery_.masked; }
   void note_delivered(double fraction, bool mixed) noexcept;
 
-  /// The delivery statistics of an effect that ends at `now`.
+  /// Statistics of an effect that ends at `now`.
   Delivery delivery(model::Tick now) const noexcept;
   /// Ticks until it ends by itself.
   model::Tick remaining(model::Tick now) const noexcept;
@@ -64,9 +60,8 @@ class EffectPlace {
  private:
   EffectId effect_ = 0;
   bool playing_ = false;
-  /// Continues the phase of the effect that it replaced; and its attack.
-  bool continues_ = false;
-  bool continues_attack_ = false;
+  bool continues_ = false;         // the phase of the effect that it replaced
+  bool continues_attack_ = false;  // and its attack
   model::Tick applied_ = 0;
   model::Tick onset_ = 0;
   model::Tick lease_end_ = 0;

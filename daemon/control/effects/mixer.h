@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
-// All effects that wait or play, and the currents that they request together; mixing, shapes and
-// ends are specified in protocol/README.md.
-//
-// Order within one tick: `stop` for every stop request, `start` and `update` for every command in
-// order, `mix` once, then the limiter, then `account` once, then `fill` when a snapshot is made.
-//
-// - An effect applied at tick t with delay d plays from tick t + d on. With duration n its first
-//   silent tick, `Delivery::offset`, is onset + n (`completed`). A lease runs from the onset or the
-//   last update, whichever is later (`expired`).
+// All effects that wait or play, and the sum of the currents that they request; mixing, shapes and
+// ends are specified in protocol/README.md. Order within one tick: `stop` for every stop request,
+// `start` and `update` for every command in order, `mix`, the limiter, `account`, and `fill` when a
+// snapshot is made.
+// - An effect applied at tick t with delay d plays from t + d on. With duration n its first silent
+//   tick, `Delivery::offset`, is onset + n. A lease runs from the later of onset and last update.
 // - Only the effects of the highest active priority are summed. The others keep their timing and
-//   count masked ticks. One that ends by itself and was masked in every tick ends as
-//   `preempted`; one that is stopped, replaced or tripped keeps that reason.
-// - A world-frame effect without orientation is not active, so it masks no other. Orientation not
-//   usable: world effects fade out in 200 ms and wait; they fade in again in 200 ms when it is
-//   restored, and end as `orientation_lost` after 2 s without it.
-// - `Delivery::min` and `mean` count the ticks in which the effect was not masked: the limiter's
-//   fraction times the world fade. The owner's gain is not counted as a loss. Both are 0 for an
-//   effect that never had such a tick.
+//   count masked ticks; one that ends by itself, masked in every tick, ends as `preempted`.
+// - World-frame effects without a usable orientation fade out in 200 ms, then wait without masking
+//   others; they fade in again in 200 ms, or end as `orientation_lost` after 2 s.
+// - `Delivery::min` and `mean`: the limiter's fraction times the world fade, without the owner's
+//   gain, over the ticks in which the effect was not masked; 0 if there was none.
 #pragma once
 
 #include <array>
@@ -36,31 +30,21 @@ namespace hedgehog::control {
 
 struct MixInputs {
   model::Tick tick = 0;
-  /// Armed. When false every effect ends as `tripped`.
-  bool playable = false;
-  /// The orientation is known and not older than 100 ms.
-  bool orientation_usable = false;
-  /// The last known orientation, recentred; also used while the world effects fade out.
-  model::Quaternion device_to_world{};
-  /// The owner's comfort setting, 0..1; scales everything.
-  double gain = 1.0;
+  bool playable = false;                // armed; when false every effect ends as `tripped`
+  bool orientation_usable = false;      // known, and not older than 100 ms
+  model::Quaternion device_to_world{};  // last known, recentred; also used during the fade-out
+  double gain = 1.0;                    // the owner's comfort setting, 0..1; scales everything
 };
 
 /// The requested winding currents are `currents_for(field) + coil_a`.
 struct MixResult {
-  /// Sum of the device-frame and world-frame effects, A, not limited.
-  model::FieldDemand field;
-  /// Sum of the coil-frame effects: raw winding currents, A, not limited.
-  model::Vec3 coil_a;
-  /// Some effect was summed with a strength above zero.
-  bool any = false;
-  /// At least one effect plays, possibly in a silent part of its waveform; waiting for the onset is
-  /// not playing.
-  bool playing = false;
+  model::FieldDemand field;  // sum of the device-frame and world-frame effects, A, not limited
+  model::Vec3 coil_a;        // sum of the coil-frame effects: raw winding currents, not limited
+  bool any = false;          // some effect was summed with a strength above zero
+  bool playing = false;      // an effect plays, even silently; not while it waits for its onset
 };
 
-/// Control thread. Trivially copyable: the flight recorder copies it. Every function is real-time
-/// safe: no allocation, lock, clock or exception.
+/// Control thread; real-time safe, trivially copyable: the flight recorder copies it.
 class Mixer {
  public:
   static constexpr model::Tick kWorldFade = 200;
@@ -73,20 +57,16 @@ class Mixer {
   /// Starts an effect and reports `effect_started` with `seq`. Ends at once if its stop came first.
   void start(const StartEffect& command, std::uint64_t seq, model::Tick now,
              EventList& events) noexcept;
-  /// Ignored if the effect has ended meanwhile.
   void update(const UpdateEffect& command, model::Tick now) noexcept;
-  /// Ends an effect, or stores the stop until its start. `kDisconnected` does not end effects that
-  /// finish on close.
+  /// Ends an effect now or at its start. `kDisconnected` does not end effects that finish on close.
   void stop(const StopRequest& request, model::Tick now, EventList& events) noexcept;
   /// For a trip, emergency stop, disarming or a disconnected device.
   void end_all(EndReason reason, model::Tick now, EventList& events) noexcept;
 
-  /// Advances every effect to `inputs.tick`, ends those that are due, and sums the rest. Ticks
-  /// skipped since the last call count for the effects too.
+  /// Advances every effect to `inputs.tick`, skipped ticks included; ends those due, sums the rest.
   MixResult mix(const MixInputs& inputs, EventList& events) noexcept;
 
-  /// After the limiter and the gate: `passed` is the share of `mix`'s result that they passed, 0..1
-  /// (1 when nothing was requested). Call it once after every `mix`.
+  /// Once after every `mix`. `passed`: share that limiter and gate passed, 0..1 (no request: 1).
   void account(double passed) noexcept;
 
   /// The state of every place after this tick.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One tick with its inputs and outputs: gathers the inputs, steps the controller, publishes the
-// outputs.
+// One tick with its inputs and outputs: gathers inputs, steps the controller, publishes outputs.
 #pragma once
 
 #include <array>
@@ -17,8 +16,7 @@
 
 namespace hedgehog::control {
 
-/// Control thread. Owns the controller; the mailbox, the port and the recorder outlive it.
-/// Everything but the constructor is real-time safe.
+/// Control thread; real-time safe except the constructor. Mailbox, port and recorder outlive it.
 class ControlTick {
  public:
   /// `recorder` may be null. `speed`: ticks per real millisecond; sensor samples arrive in real
@@ -46,10 +44,9 @@ class ControlTick {
   bool publish() noexcept;
   bool publish(const Event& event) noexcept;
 
-  /// Events for which the queue was full. Effects cannot fill it: io reuses a place only after it
-  /// has read its last `effect_ended`, so at most two events per place are pending, and capacity
-  /// for them is reserved; other events are dropped when only that is left (the snapshot contains
-  /// their state).
+  /// Events for which the queue was full. Effects cannot fill it: io reuses a place only after its
+  /// last `effect_ended`, so at most two events per place are pending, with reserved capacity.
+  /// Others are dropped when only that is left (the snapshot contains their state).
   static constexpr std::size_t kBacklog = 1024;
   static constexpr std::size_t kKeptForEffects = 4 * std::size_t{kEffectPlaces};
 
@@ -63,8 +60,7 @@ class ControlTick {
   StatusSnapshot snapshot_;
   std::array<Event, kBacklog> backlog_{};
   std::size_t backlog_size_ = 0;
-  /// Peaks of the last two windows of kPeakTicks; the second one goes on.
-  std::array<double, 2> peaks_a2_{};
+  std::array<double, 2> peaks_a2_{};  // of the last two windows of kPeakTicks; the second goes on
   int peak_ticks_ = 0;
   static constexpr int kPeakTicks = 16;
   std::uint64_t sent_ = 0;

@@ -12,8 +12,7 @@
 
 namespace hedgehog::control {
 
-/// `start` and `stop` are called by one thread (main); the others by any. A derived class calls
-/// `stop` in its destructor.
+/// `start` and `stop`: one thread (main); others: any. A derived destructor calls `stop`.
 class Loop {
  public:
   Loop(const Loop&) = delete;
@@ -23,9 +22,8 @@ class Loop {
   /// Starts the thread. Throws std::system_error on failure.
   void start();
 
-  /// Sends the safe command, then ends the thread. Returns true if the board has confirmed that its
-  /// bridges sleep, false if it has not within 100 ms (its dead-man then switches them off).
-  /// Playing effects end as `stopped`. A second call does nothing.
+  /// Ends playing effects as `stopped`, sends the safe command, ends the thread. False if the board
+  /// has not confirmed within 100 ms that its bridges sleep (its dead-man acts then). Idempotent.
   bool stop() noexcept;
 
   /// Number of steps. Increases only while ticks advance, so it can feed the systemd watchdog.
@@ -34,8 +32,7 @@ class Loop {
   /// The tick of the last step: time stamp for orientation samples.
   model::Tick now() const noexcept { return now_.load(std::memory_order_relaxed); }
 
-  /// Device time of tick 0, ns: `time_ns` = origin + tick x 1 000 000. CLOCK_MONOTONIC in real
-  /// time.
+  /// Device time of tick 0: `time_ns` = origin + tick x 1 000 000. CLOCK_MONOTONIC in real time.
   std::int64_t origin_ns() const noexcept { return origin_ns_; }
 
   /// The thread has real-time scheduling. Valid after `start`.

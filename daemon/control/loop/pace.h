@@ -8,10 +8,9 @@ namespace hedgehog::control {
 /// processor time, and requests take effect, stops too, up to `step_ms` later.
 struct Pace {
   static constexpr int kMaxSpeed = 100;
-  /// An orientation older than 100 ms is not used (Heading::kFresh), and leases have to be renewed
-  /// between two steps.
+  /// Bounded by Heading::kFresh, and because leases have to be renewed between two steps.
   static constexpr int kMaxStepMs = 20;
-  /// Events of that many ticks have room until io reads them.
+  /// Events of that many ticks fit into the queue until io reads them.
   static constexpr int kMaxTicks = 100;
 
   int speed = 1;    ///< ticks per real millisecond

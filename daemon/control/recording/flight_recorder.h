@@ -16,12 +16,12 @@
 
 namespace hedgehog::control {
 
-/// All memory is allocated in the constructor. The control thread calls `before` and `after` around
-/// each step, both real-time safe; one other thread (disk) calls the rest. On a trip the recorder
-/// freezes after that tick, until the other thread has taken the recording.
+/// Allocates in the constructor only. `before` and `after` around each step: control thread,
+/// real-time safe; the rest: one other thread (disk). Freezes after the tick of a trip, until
+/// the other thread has taken the recording.
 class FlightRecorder {
  public:
-  /// Capacity for at least 6 s of 1 kHz with few commands; many commands shorten it.
+  /// At least 6 s of 1 kHz with few commands; many commands shorten it.
   static constexpr std::size_t kDefaultBytes = std::size_t{5} << 18;
   static constexpr model::Tick kKeyFrameEvery = 1000;
 
@@ -36,8 +36,7 @@ class FlightRecorder {
   void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
   /// Disk thread: a recording is ready to be taken.
   bool frozen() const noexcept { return phase_.load(std::memory_order_acquire) == Phase::kFrozen; }
-  /// Disk thread: the recording as bytes, from the oldest state whose ticks are all still stored.
-  /// REQUIRES: frozen().
+  /// Disk thread: the recording from the oldest state with all its ticks. REQUIRES: frozen().
   std::vector<std::byte> take() const;
   /// Disk thread: resumes recording at the next tick. REQUIRES: frozen().
   void resume() noexcept { phase_.store(Phase::kStarting, std::memory_order_release); }
@@ -45,8 +44,7 @@ class FlightRecorder {
  private:
   enum class Phase : std::uint8_t { kStarting, kRecording, kFrozen };
   static constexpr std::size_t kKeyFrames = 8;
-  /// Minimum number of states within the ring, so that most of it can be replayed even with many
-  /// commands.
+  /// Minimum number of states in the ring: most of it can be replayed even with many commands.
   static constexpr std::size_t kKeyFramesARing = 4;
   struct KeyFrame {
     bool used = false;
@@ -66,8 +64,7 @@ class FlightRecorder {
   /// Restarted at each key frame.
   WordDelta<TickInputs> inputs_;
   WordDelta<TickOutputs> outputs_;
-  /// Bytes written since the start; the ring contains the last of them.
-  std::uint64_t written_ = 0;
+  std::uint64_t written_ = 0;  // bytes since the start; the ring contains the last of them
   model::Tick since_key_ = 0;
   bool recording_ = false;
   std::atomic<Phase> phase_{Phase::kStarting};

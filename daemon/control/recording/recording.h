@@ -39,16 +39,14 @@ struct ReplayedTick {
   const TickOutputs& replayed;
   const EventList& events;
   const Controller& controller;
-  /// The outputs agree bit for bit.
-  bool same = false;
+  bool same = false;  // the outputs agree bit for bit
 };
 
 struct ReplayResult {
   ReplayError error = ReplayError::kNone;
   std::uint64_t ticks = 0;
   std::uint64_t different = 0;
-  /// Build id of the program that wrote the recording; empty without a valid header.
-  std::string written_by;
+  std::string written_by;  // build id of the writing program; empty without a valid header
 };
 
 using ReplaySink = std::function<void(const ReplayedTick&)>;

@@ -21,40 +21,31 @@ struct ControlSettings {
   model::ThermalModel thermal;
   /// Role of the second thermometer; kNone: not present.
   device::ThermometerRole thermometer = device::ThermometerRole::kNone;
-  /// Configured limits, and the maximum of the device file (`SetLimits` beyond it is ignored).
-  model::Limits limits;
-  model::Limits ceiling;
-  /// Tolerances of `thermal` and `coils` for this ball.
-  model::ThermalUncertainty uncertainty;
-  /// The owner's comfort setting, 0..1.
-  double gain = 1.0;
+  model::Limits limits;                   // configured
+  model::Limits ceiling;                  // of the device file; `SetLimits` beyond it is ignored
+  model::ThermalUncertainty uncertainty;  // tolerances of `thermal` and `coils` for this ball
+  double gain = 1.0;                      // the owner's comfort setting, 0..1
 
-  /// Arm as soon as the first board is detected without a fault (main derives it from
-  /// `arm_at_start` and the end of the last run; always true for the simulator). A saved latch has
-  /// precedence.
+  /// Arm once the first board is detected without a fault, unless a latch was saved. Main derives
+  /// it from `arm_at_start` and the end of the last run; always true for the simulator.
   bool arm_at_start = false;
   /// Reason for being disarmed at the first detection otherwise: kNeverArmed or kUncleanStop.
   Reason start_reason = Reason::kNeverArmed;
-  /// A board first detected later than this after the start counts as hot-plugged and is not armed
-  /// at its detection. The simulated board counts as present at the start, however slow the
-  /// machine.
+  /// A board first detected later than this after the start counts as hot-plugged and is not armed.
+  /// Unlimited for the simulated board, however slow the machine.
   model::Tick start_timeout = 10'000;
-  /// The latch saved by the last run; kNone: none.
-  Reason latch = Reason::kNone;
-  /// Number of re-armings after each trip reason in the last runs.
-  RearmCounts rearms{};
+  Reason latch = Reason::kNone;  // saved by the last run; kNone: none
+  RearmCounts rearms{};          // of the last runs
 
   /// `start` was read from a valid file: each node then starts at max(`start`, thermistor). False:
   /// every node starts at the thermistor's reading.
   bool start_known = false;
   model::ThermalState start;
-  /// Standard deviation of each of its nodes, K.
-  double start_deviation_k = 0.3;
+  double start_deviation_k = 0.3;  // standard deviation of each node of `start`
   /// Windings whose `start` is based on their own measurement. The others are limited to
   /// `continuous_a` until their own V/I has been measured.
   std::array<bool, model::kCoils> start_measured{};
-  /// Saved ambient temperature, used when `start_known`; NaN or infinite: unknown.
-  double start_ambient_c = 25.0;
+  double start_ambient_c = 25.0;  // saved; used when `start_known`; NaN or infinite: unknown
 };
 
 static_assert(std::is_trivially_copyable_v<ControlSettings>);

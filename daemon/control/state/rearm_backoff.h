@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exponential back-off of re-arming after the same trip, so that repeated arming cannot overheat a
-// winding.
+// Exponential back-off of re-arming after the same trip, which could otherwise overheat a winding.
 #pragma once
 
 #include <array>
@@ -17,8 +16,7 @@ using RearmCounts = std::array<std::uint8_t, kReasonCount>;
 /// Control thread; real-time safe, trivially copyable.
 class RearmBackoff {
  public:
-  /// Number of re-armings without a wait; the next one waits from the trip on, each further one
-  /// twice as long.
+  /// Re-armings without a wait; the next one waits from the trip on, each further twice as long.
   static constexpr int kFreeRearms = 3;
   static constexpr model::Tick kFirstWait = 10 * model::kTicksPerSecond;
   static constexpr model::Tick kMaxWait = 600 * model::kTicksPerSecond;

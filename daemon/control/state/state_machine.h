@@ -16,8 +16,7 @@ namespace hedgehog::control {
 /// Control thread; real-time safe, trivially copyable.
 class StateMachine {
  public:
-  /// Timeout of the board's confirmation.
-  static constexpr model::Tick kArmTimeout = 300;
+  static constexpr model::Tick kArmTimeout = 300;  // of the board's confirmation
   /// Timeout of a request for the boot loader: by then the board has detached, or will not.
   static constexpr model::Tick kBootLoaderTimeout = 500;
 
@@ -41,9 +40,8 @@ class StateMachine {
   /// detaches, or the timeout, it is not armed, and its loss is not a trip.
   void enter_boot_loader(model::Tick now) noexcept;
   bool boot_loader_pending() const noexcept { return boot_loader_pending_; }
-  /// Arms at the start once arming is not blocked, and ends an arming: by the board's confirmation
-  /// or by the timeout.
   bool arming() const noexcept { return arming_; }
+  /// Arms at the start once not blocked; ends an arming by the board's confirmation or by timeout.
   void step(const device::BoardTelemetry& board, bool fresh, Reason refusal,
             model::Tick now) noexcept;
 
