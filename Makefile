@@ -462,7 +462,14 @@ BESIDE_3 := test-web
 PART_FIRST := $(filter 1,$(shell expr $$(date +%s) / 86400 / 3 % 2))
 parts_of = $(if $(filter-out 1 2 3,$(PARTS)),$(error PARTS is $(PARTS): 1, 2, 3 or several of them))$(foreach part,$(PARTS),$($1_$(part)))
 stages_of = $(if $(PART_FIRST),$(call parts_of,$1) $($1),$($1) $(call parts_of,$1))
-.PHONY: computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
+PACKAGES := build test firmware json_rpc bench
+PACKAGES_1 := web csharp godot python monitoring mqtt discovery deb
+PACKAGES_2 := vm
+PACKAGES_3 := vm web deb discovery
+.PHONY: packages-in-ci computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
+# What any of the stages installs, before the first one.
+packages-in-ci:
+	@$(STAGE) packages cmake/bootstrap.sh $(call stages_of,PACKAGES)
 computing:
 	@cmake/each_target.sh $(call stages_of,COMPUTING)
 waiting:
