@@ -21,11 +21,9 @@ struct PlanContext {
 };
 
 struct EffectPlan {
-  /// Defaults filled in; without key frames, which are in `track`.
-  protocol::EffectParams params;
+  protocol::EffectParams params;  // with defaults; key frames are in track
   Wave requested_wave;
-  /// Without the range of its key frames, which is allocated later.
-  model::EffectSpec spec;
+  model::EffectSpec spec;  // the range of its key frames is allocated later
   KeyframeTrackPtr track;
 };
 
