@@ -13,8 +13,7 @@ namespace hedgehog::server {
 /// io thread only.
 class BallWarnings {
  public:
-  /// A drift of R25 beyond this is reported, a share.
-  static constexpr double kMaxDrift = 0.05;
+  static constexpr double kMaxDrift = 0.05;  // share of R25; a larger drift is reported
 
   /// The changes since the last call, as sentences.
   std::vector<std::string> step(const DeviceView& device_view);
@@ -24,8 +23,7 @@ class BallWarnings {
   void step_winding(int coil, const DeviceView& device_view, std::vector<std::string>& sentences);
 
   bool fan_works_ = true;
-  /// Per winding: R25 of this run has been checked.
-  std::array<bool, model::kCoils> seen_{};
+  std::array<bool, model::kCoils> seen_{};  // per winding: R25 of this run was checked
 };
 
 }  // namespace hedgehog::server

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The io thread's view of the ball: the latest snapshot, requests to the control thread, and the
-// fixed properties of the device.
+// The io thread's view of the ball: latest snapshot, requests to control, fixed properties.
 #pragma once
 
 #include <array>
@@ -23,13 +22,11 @@
 
 namespace hedgehog::server {
 
-/// Current reductions up to this are rounding, not a limitation, A.
-constexpr double kRoundingA = 1e-6;
+constexpr double kRoundingA = 1e-6;  // smaller reductions of a current are not a limitation
 
 /// The driver board as detected on the bus.
 struct BoardInfo {
-  /// Reason for which a connected board is not used; empty: none.
-  std::string problem;
+  std::string problem;  // of a connected board that is not used; empty: none
   /// Of the board in use; nullopt: not reported, or no board.
   std::optional<std::string> serial;
   std::optional<std::string> firmware;
@@ -38,24 +35,20 @@ struct BoardInfo {
 /// Resistance of a winding at 25 C and its changes, shares (0.05: 5 % more).
 struct MeasuredR25 {
   double ohm = 0.0;
-  /// From the device file.
-  double file_ohm = 0.0;
+  double file_ohm = 0.0;  // from the device file
   double from_file = 0.0;
-  /// From an earlier run; nullopt: not measured.
-  std::optional<double> kept_ohm;
+  std::optional<double> kept_ohm;  // from an earlier run; nullopt: not measured
   std::optional<double> from_kept;
 };
 
 /// io thread only.
 class DeviceView {
  public:
-  /// `epoch_ns`: device time of tick 0. The references must outlive it.
-  /// REQUIRES: the geometry of the device is valid, as checked when its file was read.
+  /// `epoch_ns`: device time of tick 0. The references must outlive it. REQUIRES: a valid geometry.
   DeviceView(const config::Config& config, control::Mailbox& mailbox, device::LinkPort& link,
              std::int64_t epoch_ns);
 
-  /// Reads the latest snapshot.
-  void refresh();
+  void refresh();  // reads the latest snapshot
   const control::StatusSnapshot& now() const noexcept { return snapshot_; }
   std::int64_t time_ns(model::Tick tick) const noexcept {
     return epoch_ns_ + tick * model::kNanosecondsPerTick;
@@ -63,8 +56,7 @@ class DeviceView {
   std::int64_t epoch_ns() const noexcept { return epoch_ns_; }
 
   const config::Config& config() const noexcept { return config_; }
-  /// After a reload: limits (a board never widens its own) and the parts of the configuration that
-  /// clients may read.
+  /// After a reload: limits (a board never widens its own) and the parts that clients may read.
   void set_config(const config::Config& config);
   const model::Limits& limits() const noexcept { return config_.limits; }
   /// The board still keeps tighter limits than these, from an earlier configuration.
@@ -73,28 +65,23 @@ class DeviceView {
   // Of the pins, which a thread computes while the daemon starts: the first call may wait for it,
   // and ends the daemon if there was no memory for them.
   const model::PinArray& array() const noexcept { return pins_.get().ball->array; }
-  /// From pin to pin, degrees (model::pin_pitch_deg).
-  double pin_pitch_deg() const noexcept { return pins_.get().pitch_deg; }
+  double pin_pitch_deg() const noexcept { return pins_.get().pitch_deg; }  // model::pin_pitch_deg
   const model::PinCurves& pin_curves() const noexcept { return pins_.get().ball->curves; }
-  /// Of the simulated ball, or of the device according to its file: the same pins, possibly with
-  /// other magnets.
+  /// Of the simulated ball, or of the device by its file: the same pins, perhaps other magnets.
   const model::PinCurves& true_pin_curves() const noexcept { return pins_.get().true_ball->curves; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
-  /// Time for which the full current can flow from ambient temperature, by the present estimates,
-  /// s; nullopt: unlimited.
+  /// Time for which full current can flow from ambient, by present estimates; nullopt: unlimited.
   std::optional<double> cold_burst_s() const noexcept;
   RemedyFacts remedy_facts() const;
-  /// `scan`: returns the state of the board on its bus.
   void set_board_info_source(std::function<BoardInfo()> scan) {
     board_info_source_ = std::move(scan);
   }
   /// The version of the board's frames, "1.2"; nullopt: no board is present.
   std::optional<std::string> board_protocol() const;
   BoardInfo board() const { return board_info_source_ ? board_info_source_() : BoardInfo{}; }
-  /// `allowed_a`, a current allowed by the limiter, as reported to clients: in hundredths of an
-  /// ampere, and never above `limits().current_a`, even before the control thread has applied new
-  /// limits.
+  /// The limiter's `allowed_a` as reported to clients: hundredths of an ampere, never above
+  /// `limits().current_a`, even before control has applied new limits.
   double shown_limit_a(double allowed_a) const noexcept;
   /// Armed, but the current allowed by the thermal estimate cannot be felt: a sensor fault may have
   /// raised the estimate, which decreases slowly.
@@ -103,8 +90,7 @@ class DeviceView {
   std::optional<std::string> reason_now() const;
   /// The temperature is known by a valid measurement; without it no current is allowed.
   bool temperature_known() const noexcept;
-  /// Estimated temperature of the hottest winding, C.
-  double hottest_c() const noexcept;
+  double hottest_c() const noexcept;  // estimate of the hottest winding
   /// A sentence on how to arm the ball; nullopt when it is armed.
   std::optional<std::string> remedy_now() const;
 
@@ -117,7 +103,7 @@ class DeviceView {
 
   /// R25 of winding `coil`, 0..2, measured in this run; nullopt: not yet.
   std::optional<MeasuredR25> r25(int coil) const noexcept;
-  /// Measured before this run, ohm; 0: never.
+  /// R25 from before this run; 0: never measured.
   void set_saved_r25(const std::array<double, model::kCoils>& ohm) noexcept {
     saved_r25_ohm_ = ohm;
   }

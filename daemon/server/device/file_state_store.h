@@ -37,8 +37,7 @@ class FileStateStore final : public StateStore {
 
  private:
   SavedState current() const;
-  /// R25 of a winding differs from the saved one.
-  bool r25_changed() const noexcept;
+  bool r25_changed() const noexcept;  // of a winding, from the saved one
   class File;
   /// Passes `saved_` to the disk thread, replacing a pending state; false: its queue is full.
   bool submit_write();
@@ -47,24 +46,18 @@ class FileStateStore final : public StateStore {
   void identify_ball();
 
   DiskThread& disk_;
-  /// Shared with the disk thread.
-  std::shared_ptr<File> file_;
+  std::shared_ptr<File> file_;  // shared with the disk thread
   DeviceView& device_view_;
   SavedState saved_;
-  /// Values from before this run.
-  std::array<R25History, model::kCoils> r25_before_{};
+  std::array<R25History, model::kCoils> r25_before_{};  // from before this run
   std::chrono::steady_clock::time_point written_{};
-  /// Number of the last state passed to the disk thread.
-  std::uint64_t submitted_ = 0;
+  std::uint64_t submitted_ = 0;  // number of the last state passed to the disk thread
   bool due_ = false;
   bool was_warm_ = false;
   bool stopped_ = false;
-  /// The present board has been compared.
-  bool identified_ = false;
-  /// Seen since the start; before it the temperatures of the last run are the best estimate.
-  bool thermistor_seen_ = false;
-  /// Requested, not yet contained in a snapshot.
-  control::Reason requested_latch_ = control::Reason::kNone;
+  bool identified_ = false;       // the present board has been compared
+  bool thermistor_seen_ = false;  // since the start; until then the last run's temperatures hold
+  control::Reason requested_latch_ = control::Reason::kNone;  // not yet in a snapshot
   model::Tick requested_tick_ = 0;
 };
 

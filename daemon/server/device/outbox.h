@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The io side of the command queue. The commands of one line are one group, and a group is passed
-// on as a whole in time for a single tick (a batch is "applied in one tick"). Bounded in total and
-// for each client, so that a flooding client gets `busy` while the others are served. The start of
-// an effect that replaces another waits here until the start of the other was applied, and can be
-// amended until then: however often a slot is filled, it starts once per tick at most.
+// The io side of the command queue. The commands of one line are a group, passed on as a whole for
+// a single tick. Bounded in total and per client, so that a flooding client gets `busy` and the
+// others are served. The start of an effect that replaces another waits here until the other's
+// start was applied, and can be amended until then: a slot starts at most one effect per tick.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +23,7 @@ class Outbox {
   using What = decltype(control::Command::what);
   static constexpr std::size_t kMaxWaiting = 512;
   static constexpr std::size_t kMaxWaitingEach = 128;
-  /// Reserved for each client, independent of the number of other commands.
-  static constexpr std::size_t kAlwaysEach = 8;
+  static constexpr std::size_t kAlwaysEach = 8;  // reserved for each client, whatever others queue
 
   explicit Outbox(control::Mailbox& mailbox) : mailbox_(mailbox) {}
 
@@ -40,11 +38,9 @@ class Outbox {
   std::optional<std::uint64_t> add(ConnectionId owner, const What& what, std::uint64_t after = 0);
   /// The command with that seq has not been passed on yet.
   bool holds(std::uint64_t seq) const noexcept { return seq > handed_over_seq_; }
-  /// Sets the spec of the start of `effect` and of all its updates to `spec`. False, without a
-  /// change, if that start has been passed on.
+  /// Sets the spec in the start of `effect` and its updates; false: that start has been passed on.
   bool amend(control::EffectId effect, const model::EffectSpec& spec) noexcept;
-  /// Time at which the request of the following commands was read, CLOCK_MONOTONIC; 0: none, so
-  /// that the time of adding them is used.
+  /// When the request of the following commands was read, CLOCK_MONOTONIC; 0: when they are added.
   void set_received(std::int64_t ns) noexcept { received_ns_ = ns; }
   /// Closes the group and passes on what fits.
   void commit();
@@ -54,8 +50,7 @@ class Outbox {
   void set_applied(std::uint64_t seq) noexcept { applied_seq_ = seq; }
 
   bool waiting() const noexcept { return !groups_.empty(); }
-  /// Seq of the newest command.
-  std::uint64_t last_seq() const noexcept { return last_seq_; }
+  std::uint64_t last_seq() const noexcept { return last_seq_; }  // of the newest command
 
  private:
   struct Owned {
@@ -68,8 +63,7 @@ class Outbox {
   control::Mailbox& mailbox_;
   std::deque<std::vector<Owned>> groups_;
   std::vector<Owned> open_;
-  /// Commands being passed on; a member to reuse its memory.
-  std::vector<control::Command> ready_;
+  std::vector<control::Command> ready_;  // being passed on; a member to reuse its memory
   std::size_t waiting_ = 0;
   std::map<ConnectionId, std::size_t> waiting_each_;
   std::int64_t received_ns_ = 0;

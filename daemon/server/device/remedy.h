@@ -11,24 +11,19 @@
 namespace hedgehog::server {
 
 struct RemedyFacts {
-  /// Below this temperature a ball that overheated can be armed again.
-  double rearm_c = 45.0;
+  double rearm_c = 45.0;  // below it a ball that overheated can be armed again
   bool simulated = false;
-  /// Reason for which a connected board is not used; empty: none connected, or in use.
-  std::string board_problem{};
-  /// Seconds until a tripped ball may be armed again, and how often it was after the same trip.
-  double rearm_wait_s = 0.0;
-  int rearms = 0;
-  /// The last trip names measurements that contradict each other.
-  bool contradicted = false;
+  std::string board_problem{};  // of a connected board that is not used; empty: none
+  double rearm_wait_s = 0.0;    // until a tripped ball may be armed again
+  int rearms = 0;               // after the same trip
+  bool contradicted = false;    // the last trip names measurements that contradict each other
 };
 
 /// nullopt: no problem.
 std::optional<std::string> remedy(control::State state, control::Reason reason,
                                   const RemedyFacts& facts);
 
-/// For an armed ball whose thermal limit is too low to be felt: the upper bounds of its hottest
-/// winding, `hottest_c`, and of its shell, `skin_c`.
+/// Armed, but the thermal limit is too low to be felt: upper bounds of hottest winding and shell.
 std::string too_hot_remedy(double hottest_c, double skin_c, const model::Limits& limits);
 
 /// The wire name of `reason`; nullopt for kNone (null on the wire).

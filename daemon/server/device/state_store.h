@@ -18,10 +18,8 @@ enum class Persisted : std::uint8_t {
 class StateStore {
  public:
   virtual ~StateStore() = default;
-  /// The owner's gain.
-  virtual void persist_gain(double gain) = 0;
-  /// Persists a latch that the control thread has not confirmed yet. Returns the number of the
-  /// write that contains it.
+  virtual void persist_gain(double gain) = 0;  // the owner's
+  /// Persists a latch that control has not confirmed yet; returns the number of the write with it.
   virtual std::uint64_t persist_latch(control::Reason latch) = 0;
   /// State of that write, or of a later one.
   virtual Persisted latch_persisted(std::uint64_t write) const = 0;

@@ -9,10 +9,8 @@ namespace hedgehog::server {
 
 /// A point in time of one boot.
 struct BootTime {
-  /// Of the kernel, 1 to 64 characters; empty: unknown.
-  std::string boot_id;
-  /// CLOCK_BOOTTIME, s, 0 or more.
-  double seconds = 0.0;
+  std::string boot_id;   // of the kernel, 1 to 64 characters; empty: unknown
+  double seconds = 0.0;  // CLOCK_BOOTTIME, s, 0 or more
 
   friend bool operator==(const BootTime&, const BootTime&) = default;
 };

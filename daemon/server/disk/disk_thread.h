@@ -27,8 +27,7 @@ enum class DiskUse : std::uint8_t {
 /// `post` from the io thread. The destructor completes the queued jobs.
 class DiskThread {
  public:
-  /// Maximum number of jobs of each use, queued or running. Each client of kSafety has at most one
-  /// queued, so that its capacity suffices.
+  /// Maximum queued or running, by use; enough for kSafety: each client has at most one queued.
   static constexpr std::array<std::size_t, 5> kMaxJobs{16, 5, 8, 8, 1};
 
   /// `name`: of the thread, at most 15 characters.
@@ -37,8 +36,7 @@ class DiskThread {
   DiskThread& operator=(const DiskThread&) = delete;
   ~DiskThread();
 
-  /// False: the queue of this use is full because of a slow disk; the job is rejected. Jobs of one
-  /// use are executed in order. They must not throw.
+  /// Jobs of one use run in order; they must not throw. False: rejected, its queue is full.
   [[nodiscard]] bool post(DiskUse use, std::function<void()> job);
 
  private:

@@ -15,16 +15,13 @@ inline constexpr const char* kCountsAsTripped =
     ". Latch and temperature are unknown, so the ball is treated as tripped: let it "
     "cool, then run: hedgehogctl arm";
 
-/// The path of the state file.
 std::string state_file(const std::string& directory);
 
-/// The identity of the ball according to the configuration.
 BallIdentity ball_of(const config::Config& config);
 
-/// The state file in `directory`; nullopt: not present, so this is a first start. One that is
-/// unreadable, damaged, invalid, or of another ball than `ball` (nullopt: any), or whose first
-/// write was aborted, gives lost_state(), with the reason in the log. The simulated ball ignores
-/// the state of a real one, as in a first start. Start-up only.
+/// The state file in `directory`; nullopt: none, a first start. If unreadable, damaged, invalid, of
+/// another ball than `ball` (nullopt: any), or with an aborted first write: lost_state(), with the
+/// reason in the log. The simulated ball ignores the state of a real one. Start-up only.
 std::optional<SavedState> load_saved_state(const std::string& directory,
                                            const std::optional<BallIdentity>& ball = std::nullopt);
 

@@ -16,8 +16,7 @@
 
 namespace hedgehog::server {
 
-/// Storage of put patterns. Called on the io thread; writes on the disk thread. nullptr: its queue
-/// is full, nothing will be done.
+/// Put patterns. Called on the io thread; the disk thread writes. nullptr: its queue is full.
 class PatternStorage {
  public:
   virtual ~PatternStorage() = default;
@@ -29,8 +28,7 @@ class PatternStorage {
 class PatternLibrary {
  public:
   static constexpr std::size_t kMaxPut = 256;
-  /// Fits into a line of the protocol.
-  static constexpr std::size_t kMaxListBytes = 65'000;
+  static constexpr std::size_t kMaxListBytes = 65'000;  // fits into a line of the protocol
 
   struct Entry {
     protocol::Pattern pattern;
@@ -43,13 +41,12 @@ class PatternLibrary {
   /// nullptr: no such pattern. Valid until the next put or remove.
   const Entry* find(std::string_view name) const noexcept;
   std::vector<std::string_view> names() const;
-  /// The result of `pattern.list` as JSON, at most kMaxListBytes long: if it would be longer, the
-  /// descriptions of the patterns put by clients are empty.
+  /// `pattern.list` as JSON; beyond kMaxListBytes the descriptions of put patterns are empty.
   std::shared_ptr<const std::string> list();
   static protocol::PatternSummary summary(const Entry& entry);
 
-  /// Available for playing at once; the work ends when it is on disk. An error, without a change,
-  /// if the name is a shipped one's, there are 256 already, or the disk queue is full.
+  /// Playable at once; the work ends when it is on disk. An error, without a change: the name is a
+  /// shipped one's, there are kMaxPut already, or the disk queue is full.
   protocol::Result<DiskWorkPtr> put(protocol::Pattern pattern);
   protocol::Result<DiskWorkPtr> remove(const std::string& name);
 
@@ -57,8 +54,7 @@ class PatternLibrary {
   PatternStorage& storage_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::size_t put_ = 0;
-  /// nullptr: not encoded since the last change.
-  std::shared_ptr<const std::string> list_;
+  std::shared_ptr<const std::string> list_;  // nullptr: not encoded since the last change
 };
 
 /// The patterns of config/patterns at build time. Throws std::logic_error if one is invalid.

@@ -21,8 +21,7 @@ struct Felt {
 /// Without effects that wait for their onset, and without `except` (nullptr: none).
 Felt felt_now(const DeviceView& device_view, EffectRegistry& effects, const Effect* except);
 
-/// An effect as it will be delivered. The forecast of how long is costly (up to 0.5 ms), and
-/// therefore separate.
+/// An effect as it will be delivered, without the costly forecast of how long (up to 0.5 ms).
 struct Delivery {
   /// All fields but effect, slot, seq, and `headroom_s` if `forecast_of` is set.
   protocol::Admission admission;

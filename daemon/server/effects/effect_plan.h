@@ -18,13 +18,10 @@ struct Wave {
 };
 
 struct EffectPlan {
-  /// As requested, merged with updates, defaults filled in; without key frames.
-  protocol::EffectParams params;
-  /// As set by the client; a pattern's own fields do not count.
-  Wave requested_wave;
-  model::EffectSpec spec;
-  /// For effect.play; its range in control's key frames is allocated later.
-  KeyframeTrackPtr track;
+  protocol::EffectParams params;  // requested, merged with updates, with defaults; no key frames
+  Wave requested_wave;            // set by the client, not by a pattern
+  model::EffectSpec spec;         // the range of its key frames is allocated later
+  KeyframeTrackPtr track;         // for effect.play
 };
 
 }  // namespace hedgehog::server

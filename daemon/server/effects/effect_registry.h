@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ownership of effects: numbers, places and slots of all effects that were started and whose end
-// has not been reported yet.
+// Ownership of effects: numbers, places and slots of those whose end has not been reported yet.
 #pragma once
 
 #include <array>
@@ -19,27 +18,21 @@ namespace hedgehog::server {
 struct Effect {
   control::EffectId id = 0;  // 0: the place is free
   std::uint8_t place = 0;
-  /// 0 after its connection has closed.
-  ConnectionId owner = 0;
+  ConnectionId owner = 0;  // 0 after its connection has closed
   std::string client;
   std::optional<std::string> slot;
   EffectPlan plan;
-  /// Seq of the command that started it.
-  std::uint64_t seq = 0;
-  /// It replaced an effect in its slot.
-  bool replacing = false;
-  /// Its onset has passed.
-  bool begun = false;
-  /// Its end was requested (stopped, replaced); it can no longer be addressed.
-  bool ending = false;
+  std::uint64_t seq = 0;   // of the command that started it
+  bool replacing = false;  // it replaced an effect in its slot
+  bool begun = false;      // its onset has passed
+  bool ending = false;     // stopped or replaced; can no longer be addressed
 };
 
 /// io thread only.
 class EffectRegistry {
  public:
   static constexpr int kMaxEach = 32;
-  /// Places reserved for connections without effects.
-  static constexpr int kReservedForNew = 8;
+  static constexpr int kReservedForNew = 8;  // places for connections without effects
 
   /// `last`: the last number already used.
   explicit EffectRegistry(control::EffectId last = 0) noexcept : last_id_(last) {}
@@ -48,8 +41,7 @@ class EffectRegistry {
   /// Capacity of `owner` for one more effect; `replacing`: it replaces one of its own.
   Capacity capacity(ConnectionId owner, bool replacing) const noexcept;
 
-  /// Allocates a free place and a new number. The reference is valid until the effect ends.
-  /// REQUIRES: capacity() is kYes.
+  /// Allocates a place and a number; valid until the effect ends. REQUIRES: capacity() is kYes.
   Effect& add(ConnectionId owner);
   /// Reverts an `add` whose command was rejected.
   void drop(const Effect& effect) noexcept { places_[effect.place] = {}; }

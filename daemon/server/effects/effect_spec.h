@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Effect parameters -> model::EffectSpec, with the ranges that depend on the ball and on the
-// client's role.
+// Effect parameters -> model::EffectSpec, with the ranges that depend on ball and role.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +20,9 @@ struct SpecFacts {
   model::Limits limits;
   double force_slope_n_a = 0.0126;
   const model::PinArray& pins;
-  /// A circle's step from pin to pin, degrees (model::pin_pitch_deg).
-  double pin_pitch_deg = model::kThesisPitchDeg;
+  double pin_pitch_deg = model::kThesisPitchDeg;  // step of a circle (model::pin_pitch_deg)
   protocol::Role role = protocol::Role::kObserve;
-  /// Device time of tick 0, ns, and the present tick.
-  std::int64_t epoch_ns = 0;
+  std::int64_t epoch_ns = 0;  // device time of tick 0
   model::Tick now = 0;
 };
 
@@ -36,8 +33,8 @@ protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method,
                                               const SpecFacts& facts,
                                               const KeyframeTrack* track = nullptr);
 
-/// `base` overwritten by the fields set in `update`. An error if that would change the kind of end,
-/// or contains a field that the effect's method does not have.
+/// `base` with the fields set in `update`. An error if that would change the kind of end, or
+/// contains a field that the effect's method does not have.
 protocol::Result<protocol::EffectParams> merged(model::EffectMethod method,
                                                 protocol::EffectParams base,
                                                 const protocol::EffectParams& update);

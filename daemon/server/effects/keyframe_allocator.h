@@ -20,11 +20,10 @@ class KeyframeAllocator {
   bool holds(std::uint16_t first, const KeyframeTrack& track) const noexcept;
   /// Number of commands that `place` would add for `track`, besides that which starts the effect.
   std::size_t commands_for(const KeyframeTrack& track) const noexcept;
-  /// Maximum share of one connection.
-  static constexpr int kShare = control::kKeyframeCapacity / 2;
+  static constexpr int kShare = control::kKeyframeCapacity / 2;  // of one connection
   bool within_share(const KeyframeTrack& track, ConnectionId owner) const noexcept;
-  /// Returns the first slot of its key frames; those not loaded yet are added to `outbox`, which
-  /// must have capacity for them. nullopt: no free range. Adds one user.
+  /// Returns the first slot of its key frames, with one more user; nullopt: no free range. Those
+  /// not loaded yet are added to `outbox`, which must have capacity for them.
   std::optional<std::uint16_t> place(const KeyframeTrack& track, ConnectionId owner,
                                      Outbox& outbox);
   /// Removes one user of the range at `first`: its `effect_ended` was read.

@@ -20,19 +20,16 @@ struct Moments {
 
 struct KeyframeTrack {
   std::vector<model::Keyframe> frames;
-  /// Integrals from the beginning to each key frame, over milliseconds.
-  std::vector<Moments> until;
-  /// The strongest key frame, 0..1, and its direction (unit vector, with the pattern facing front).
-  double peak = 0.0;
-  model::Vec3 peak_direction{1, 0, 0};
+  std::vector<Moments> until;           // integrals from the beginning to each key frame, over ms
+  double peak = 0.0;                    // the strongest key frame, 0..1
+  model::Vec3 peak_direction{1, 0, 0};  // its direction, a unit vector; pattern facing front
 
   double length_ms() const noexcept { return model::length_ms(frames); }
   /// The means over its first `ms` milliseconds, at rate 1; zero for ms <= 0.
   Moments mean_over(double ms) const noexcept;
 };
 
-/// nullptr: an effect without key frames.
-using KeyframeTrackPtr = std::shared_ptr<const KeyframeTrack>;
+using KeyframeTrackPtr = std::shared_ptr<const KeyframeTrack>;  // nullptr: no key frames
 
 /// An error contains the key frame whose pin the ball does not have.
 protocol::Result<KeyframeTrackPtr> make_keyframe_track(

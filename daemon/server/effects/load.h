@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Average load of effects on the three windings: sufficient for a thermal forecast, and cheap
-// enough for every admission.
+// Average load of effects on the three windings: for thermal forecasts, cheap enough for admission.
 #pragma once
 
 #include "daemon/server/effects/keyframe_track.h"
@@ -11,14 +10,13 @@
 
 namespace hedgehog::server {
 
-/// Winding currents, A. Steady effects (one direction, constant waveform) add as vectors; the
-/// others are treated as independent of each other.
+/// Winding currents. Steady effects (one direction, constant waveform) add as vectors; the others
+/// are treated as independent of each other.
 struct Load {
   model::Vec3 mean_a;
   model::Vec3 variance_a2;
-  /// Sum of the steady effects, and the sum of the peaks of the others.
-  model::Vec3 steady_a;
-  double varying_a = 0.0;
+  model::Vec3 steady_a;    // sum of the steady effects
+  double varying_a = 0.0;  // sum of the peaks of the others
 
   double peak_a() const noexcept { return model::norm(steady_a) + varying_a; }
   model::RequestedCurrents requested() const noexcept;
@@ -30,7 +28,7 @@ struct Load {
 Load load_of(const model::EffectSpec& spec, const KeyframeTrack* track,
              const model::CoilModel& coils, const model::Quaternion& device_to_world) noexcept;
 
-/// Maximum current requested by the effect, A.
+/// Maximum current requested by the effect.
 double peak_a(const model::EffectSpec& spec, const KeyframeTrack* track) noexcept;
 
 /// `load` scaled by the owner's gain and the limit of the sum.

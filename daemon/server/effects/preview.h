@@ -18,10 +18,8 @@ namespace hedgehog::server {
 /// io thread only. About 2 us per tick, so it is computed in slices.
 class Preview {
  public:
-  /// Maximum for all connections together; each has one at most.
-  static constexpr std::size_t kMaxAtOnce = 4;
-  /// Number of ticks per slice on the io thread.
-  static constexpr model::Tick kSlice = 250;
+  static constexpr std::size_t kMaxAtOnce = 4;  // in total; each connection has one at most
+  static constexpr model::Tick kSlice = 250;    // per slice on the io thread
   /// Maximum for one preview: that of the longest effect or a single lease.
   static constexpr model::Tick kMaxSlices =
       std::max(protocol::kMaxDurationMs, protocol::kMaxLeaseMs) / kSlice;
@@ -35,8 +33,7 @@ class Preview {
 
   /// Simulates at most `ticks` more. True: done.
   bool advance(model::Tick ticks);
-  /// REQUIRES: done.
-  protocol::PreviewResult result() const;
+  protocol::PreviewResult result() const;  // REQUIRES: done
 
  private:
   struct World;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Event history, kept over restarts: the newest trips, other events of the ball, deratings, effects
 // and recurring events, as lines of JSON in memory and on disk. Each part has its own bound, so
-// that old trips or emergency stops cannot be displaced by a game that plays sixty effects a
-// second, by a warm ball that is derated in each of them, or by a loop that is constantly late.
+// that frequent events of one do not displace those of another.
 #pragma once
 
 #include <array>
@@ -38,19 +37,14 @@ using HistoryTexts = std::array<HistoryText, kHistoryParts>;
 /// io thread only.
 class EventHistory {
  public:
-  /// Maximum of each part in memory and pending for the disk.
-  static constexpr std::size_t kMaxEach = 5000;
-  /// Exceeds the length of any event; longer foreign lines would exclude older ones from every
-  /// response.
-  static constexpr std::size_t kMaxLineBytes = 4096;
-  /// A response fits into one line of the protocol, including its frame.
-  static constexpr std::size_t kMaxAnswerBytes = 60'000;
+  static constexpr std::size_t kMaxEach = 5000;       // of each part, in memory and for the disk
+  static constexpr std::size_t kMaxLineBytes = 4096;  // exceeds any event; longer lines are foreign
+  static constexpr std::size_t kMaxAnswerBytes = 60'000;  // fits into one line with its frame
 
   /// Appends `lines` to the file being filled; `begin_file`: it first becomes the full one. Appends
   /// nothing on a problem. nullptr: the disk queue is full, to be retried.
   using Writer = std::function<DiskWorkPtr(HistoryPart, std::string lines, bool begin_file)>;
-  /// True if the recording of that number still exists.
-  using HasRecording = std::function<bool(unsigned number)>;
+  using HasRecording = std::function<bool(unsigned number)>;  // the recording still exists
 
   /// `kept`: contents of the files; truncated and foreign lines are skipped.
   EventHistory(Writer writer, const HistoryTexts& kept);
@@ -59,8 +53,7 @@ class EventHistory {
   /// Replacing an effect in its slot, as a game does in every frame, is not recorded.
   void record(const protocol::Event& event, std::int64_t unix_ms, const Effect* effect,
               unsigned recording = 0);
-  /// Passes pending events to the disk: trips at once, the others, and repeated after a failed
-  /// write, once a second.
+  /// Passes pending events to the disk: trips at once, others and failed writes once a second.
   void pump(std::int64_t unix_ms);
   /// The same at once. True: all is on disk.
   bool flush();
@@ -120,8 +113,7 @@ class EventHistory {
     std::optional<std::string> method;
     std::optional<std::string> client;
   };
-  /// The last effect ended by a trip.
-  std::optional<Ended> tripped_;
+  std::optional<Ended> tripped_;  // the last effect ended by a trip
 };
 
 }  // namespace hedgehog::server

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The event history on disk, in the state directory: `trips.jsonl`, `derating.jsonl`,
-// `recurring.jsonl`, `events.jsonl` with other events of the ball and `effects.jsonl`, and for each
-// the previous full file, `.1`.
+// The event history in the state directory: `trips`, `derating`, `recurring`, `events` (others of
+// the ball) and `effects`, each `.jsonl`, with the previous full file, `.jsonl.1`.
 #pragma once
 
 #include <string>

@@ -21,8 +21,7 @@ namespace hedgehog::server {
 class TelemetrySamples {
  public:
   static constexpr std::size_t kMaxSamples = 600;
-  /// Ticks covered by one sample.
-  static constexpr model::Tick kPeriod = 1000;
+  static constexpr model::Tick kPeriod = 1000;  // covered by one sample
 
   TelemetrySamples() { samples_.reserve(kMaxSamples); }
 
@@ -64,9 +63,8 @@ class TelemetrySamples {
   void push(const Sample& sample);
   static protocol::TelemetrySample merged(const std::vector<Sample>& samples, model::Tick now);
 
-  /// A ring buffer: `next_` is the oldest once it is full.
-  std::vector<Sample> samples_;
-  std::size_t next_ = 0;
+  std::vector<Sample> samples_;  // a ring buffer
+  std::size_t next_ = 0;         // the oldest, once it is full
   control::Totals totals_{};
   model::Tick last_tick_ = 0;
   double peak_a_ = 0.0;

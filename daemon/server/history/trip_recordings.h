@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flight recordings of trips as files `trip-0001.hhr` in the state directory: the newest 50, and at
-// most 20 MB.
+// Flight recordings of trips: `trip-0001.hhr` in the state directory, newest 50, at most 20 MB.
 #pragma once
 
 #include <atomic>
@@ -32,29 +31,24 @@ class RecordingNumbers {
 /// A recording being read.
 struct RecordingRead {
   std::atomic<bool> done{false};
-  /// Valid once `done`; empty: removed, or unreadable.
-  std::string bytes;
+  std::string bytes;  // valid once done; empty: removed or unreadable
 };
 
 class TripRecordings {
  public:
   static constexpr std::size_t kMaxFiles = 50;
   static constexpr std::uintmax_t kMaxBytes = 20u << 20;
-  /// Exceeds the size of a recording.
-  static constexpr std::size_t kMaxFileBytes = 6u << 20;
+  static constexpr std::size_t kMaxFileBytes = 6u << 20;  // exceeds the size of a recording
 
-  /// Reads the stored recordings. `last_named`: the highest number in the history, possibly of a
-  /// recording that was never written or was removed; it is never reused.
+  /// Reads what is stored. `last_named`: highest number in the history; never reused, even if gone.
   TripRecordings(std::string directory, DiskThread& disk, control::FlightRecorder& recorder,
                  unsigned last_named);
 
   // io thread.
 
-  /// The ball has tripped: returns the number of its recording, which is written on the disk
-  /// thread.
+  /// The ball has tripped: the number of its recording, which the disk thread writes.
   unsigned tripped();
-  /// Written, and not yet removed for newer ones.
-  bool has(unsigned number) const;
+  bool has(unsigned number) const;  // written, and not yet removed for newer ones
   /// The whole recording, read on the disk thread; nullptr: the disk is too slow.
   std::shared_ptr<const RecordingRead> read(unsigned number) const;
 
@@ -63,8 +57,7 @@ class TripRecordings {
   DiskThread& disk_;
   control::FlightRecorder& recorder_;
   unsigned last_;
-  /// Shared, because the disk thread may outlive this.
-  std::shared_ptr<RecordingNumbers> written_;
+  std::shared_ptr<RecordingNumbers> written_;  // shared: the disk thread may outlive this
   /// A job for a trip is already queued.
   std::shared_ptr<std::atomic<bool>> queued_ = std::make_shared<std::atomic<bool>>(false);
 };
@@ -72,8 +65,7 @@ class TripRecordings {
 /// "trip-0017"; and the number of such a name, 0 for other names.
 std::string recording_name(unsigned number);
 unsigned recording_number(std::string_view name);
-/// Of "trip-0017.hhr".
-unsigned recording_number_of_file(std::string_view file);
+unsigned recording_number_of_file(std::string_view file);  // of "trip-0017.hhr"
 /// Path of recording `number` in `directory`, and the highest number there, 0: none.
 std::string recording_path(const std::string& directory, unsigned number);
 unsigned last_recording(const std::string& directory);

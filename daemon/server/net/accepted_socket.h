@@ -9,8 +9,7 @@
 
 namespace hedgehog::server {
 
-/// Reset before it was accepted: there is no client. One that has only closed may have sent a
-/// request before.
+/// Reset before it was accepted: no client. One that only closed may have sent a request before.
 bool is_reset(const boost::asio::ip::tcp::socket& socket);
 inline bool is_reset(const boost::asio::local::stream_protocol::socket&) { return false; }
 

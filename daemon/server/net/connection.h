@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One client connection: reads requests, writes responses and notifications. While too many
-// responses are unsent, requests are held, and with too many held ones reading pauses: a client may
-// send any number at once. Held requests wait in order, except for an emergency stop. Owns itself
-// through its coroutines. io thread only.
+// responses are unsent, requests are held in order, except for an emergency stop; with too many
+// held ones reading pauses. Owns itself through its coroutines. io thread only.
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>
@@ -27,20 +26,17 @@ namespace hedgehog::server {
 
 class Connection : public Sink, public std::enable_shared_from_this<Connection> {
  public:
-  /// Maximum of bytes read from a socket at a time.
-  static constexpr std::size_t kReadBytes = 16 * 1024;
+  static constexpr std::size_t kReadBytes = 16 * 1024;  // at most, of one read from a socket
   /// Requests that wait for a tick or for the disk; with more, further ones are held. With twice as
   /// many, possible only for emergency stops, reading pauses.
   static constexpr std::size_t kMaxPending = 64;
 
-  /// Starts its coroutines.
   void start();
   /// Sends the queue (1 s at most), then closes.
   void finish() override;
 
   void send(std::string line, LineKind kind) override;
   void send_telemetry(const SharedLine& line) override;
-  /// Writes as much of the queue as possible; `write` does the rest.
   void flush(Flush when) override;
 
   const Session& session() const noexcept { return session_; }
@@ -56,16 +52,14 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   virtual boost::asio::awaitable<void> read() = 0;
   /// Sends the next lines of the queue; reports each part that was written to the socket.
   virtual boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) = 0;
-  /// Writes as much of the queue as possible without waiting, or starts to (kSoon): `sent_now` then
-  /// reports the result. False: `send_next` has to handle an error or the rest; for streams that
-  /// cannot do that, all of it.
+  /// Writes what is possible without waiting, or starts to (kSoon): `sent_now` then reports the
+  /// result. False: `send_next` handles an error or the rest, for some streams all of it.
   virtual bool send_now(WriteQueue&, Flush) { return false; }
   /// The first `bytes` of what `send_now` took were sent; if not all, `send_next` continues.
   void sent_now(std::size_t bytes);
   /// Called after everything has been sent.
   virtual boost::asio::awaitable<void> finish_stream() = 0;
-  /// Closes at once; pending operations on the socket end with an error. A second call does
-  /// nothing.
+  /// Closes at once; pending operations end with an error. A second call does nothing.
   virtual void close() noexcept = 0;
   /// Bytes written to the socket that the client has not received yet.
   virtual std::size_t unread_bytes() noexcept = 0;
@@ -73,8 +67,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// The client sends no more, though its socket may still be open: its effects end.
   void on_client_close();
   void on_sent_part();
-  /// Also releases the ticket.
-  void close_socket() noexcept;
+  void close_socket() noexcept;  // also releases the ticket
   /// Data was received: its turn starts. The responses are sent together at the end of the turn.
   void on_received() noexcept;
   void end_turn();
@@ -83,15 +76,13 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void too_long();
   /// To be checked after each message: false while the turn may continue.
   bool must_pause() const noexcept;
-  /// Lets other clients run; waits while no more can be held. False: the client must be
-  /// disconnected.
+  /// Lets other clients run; waits while no more can be held. False: disconnect the client.
   boost::asio::awaitable<bool> pause();
   std::int64_t id() const noexcept { return session_.id; }
   const boost::asio::any_io_executor& executor() const noexcept { return executor_; }
   Counters& counters() noexcept { return server_.counters(); }
 
  private:
-  /// A held line.
   struct Held {
     std::string text;
     bool too_long = false;
@@ -102,12 +93,10 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
 
   boost::asio::awaitable<void> run();
   boost::asio::awaitable<void> write();
-  /// Executes held requests as the client reads its responses. A client that reads nothing for
-  /// `write_timeout_s` meanwhile is disconnected.
+  /// Executes held requests as the client reads; after `write_timeout_s` without reading, closes.
   boost::asio::awaitable<void> serve_held();
   boost::asio::awaitable<void> serve_all();
-  /// Starts `serve_held` unless it runs: when a request is held, when `held_back`, and after the
-  /// last request.
+  /// Starts `serve_held` unless it runs: on a held request, on `held_back`, after the last request.
   void serve();
   void serve_next();
   void execute(std::string_view text, std::int64_t received_ns);
@@ -123,8 +112,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// Executes `text` before the held requests, which may start nothing afterwards.
   void bypass_held(std::string_view text);
   bool must_hold() const noexcept { return !held_.empty() || held_back(); }
-  /// Too many responses are unsent or pending.
-  bool held_back() const noexcept;
+  bool held_back() const noexcept;  // too many responses are unsent or pending
   bool held_back_by_bytes() const noexcept {
     return queue_.response_bytes() + session_.open_bytes > allowed_response_bytes();
   }
@@ -132,8 +120,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   std::size_t allowed_response_bytes() const noexcept {
     return read_ended_ && held_.empty() ? 0 : held_back_bytes_;
   }
-  /// No more requests can be held.
-  bool full() const noexcept;
+  bool full() const noexcept;  // no more requests can be held
   void report_not_reading();
   void abort() noexcept;
 
@@ -142,12 +129,10 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   Session session_;
   HalfOpen::Ticket ticket_{};
   WriteQueue queue_;
-  /// Limit of unsent responses. A whole batch still fits in addition: half of the queue, one more
-  /// answer and the `busy` ones.
+  /// Limit of unsent responses; the queue has capacity for a whole batch beyond it.
   std::size_t held_back_bytes_;
-  /// Limit of held requests, without the last of them.
-  std::size_t max_held_bytes_;
-  std::list<Held> held_{};  // uses no memory while it is empty
+  std::size_t max_held_bytes_;  // without the last of the held requests
+  std::list<Held> held_{};      // uses no memory while it is empty
   std::size_t held_bytes_ = 0;
   std::chrono::seconds write_timeout_;
   boost::asio::steady_timer wake_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Connections that need a token and have not sent one yet: from other machines those with a TLS
-// handshake in progress and those not logged in, and those of local users without a role. Their
-// number is bounded, and a new one replaces the oldest: a client that is slow, or sends garbage or
-// nothing, does not exclude others.
+// Connections that need a token and have sent none yet: remote ones until the end of the TLS
+// handshake and the log-in, local users without a role. Their number is bounded; a new one replaces
+// the oldest, so that clients that are slow, or send garbage or nothing, do not exclude others.
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>
@@ -24,8 +23,7 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
   /// Maximum in total, and per address; beyond it, the oldest (of that address) is disconnected.
   static constexpr std::size_t kMax = 32;
   static constexpr std::size_t kMaxOfAddress = 8;
-  /// Time until it is disconnected.
-  static constexpr std::chrono::seconds kTimeout{10};
+  static constexpr std::chrono::seconds kTimeout{10};  // until it is disconnected
 
   explicit HalfOpen(boost::asio::any_io_executor executor,
                     std::chrono::milliseconds timeout = kTimeout)
@@ -61,9 +59,8 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
     std::list<Entry>::iterator entry_{};
   };
 
-  /// Adds the socket `descriptor`, whose peer is at `address` ("192.0.2.7:5000", "user 1000").
-  /// Disconnecting is a shutdown(2) in both directions, which ends pending operations on the
-  /// socket.
+  /// Adds the socket `descriptor` of `address` ("192.0.2.7:5000", "user 1000"). Disconnecting is a
+  /// shutdown(2) in both directions, which ends pending operations on the socket.
   Ticket enter(int descriptor, const std::string& address);
   std::size_t size() const noexcept { return entries_.size(); }
   /// Number of connections disconnected for a timeout or too many connections.

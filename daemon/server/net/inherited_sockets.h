@@ -11,13 +11,11 @@ namespace hedgehog::server {
 /// Owns the descriptors until they are taken. io thread only.
 class InheritedSockets {
  public:
-  /// Those that this process was started with, none without systemd. What is not a listening TCP
-  /// socket is closed, with a warning.
+  /// Those passed by systemd, if any. What is not a listening TCP socket is closed, with a warning.
   InheritedSockets();
   InheritedSockets(const InheritedSockets&) = delete;
   InheritedSockets& operator=(const InheritedSockets&) = delete;
-  /// Closes those that were not taken.
-  ~InheritedSockets();
+  ~InheritedSockets();  // closes those that were not taken
 
   /// The descriptor of the socket at `endpoint`, which the caller then owns; -1: there is none.
   int take(const boost::asio::ip::tcp::endpoint& endpoint) noexcept;

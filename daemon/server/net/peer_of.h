@@ -8,9 +8,8 @@
 
 namespace hedgehog::server {
 
-/// Credentials of the process that connected to the Unix socket `descriptor`; nullopt: not provided
-/// by the system. Without supplementary groups before Linux 4.13. Does not block or query a user
-/// database. Any thread.
+/// Those of the process that connected to the Unix socket `descriptor`; nullopt: not provided. No
+/// supplementary groups before Linux 4.13. Does not block or query a user database. Any thread.
 std::optional<access::Peer> peer_of(int descriptor);
 
 }  // namespace hedgehog::server

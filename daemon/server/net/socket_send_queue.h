@@ -7,9 +7,8 @@
 namespace hedgehog::server {
 
 /// Bytes written to socket `fd` that its peer has not received (TCP: not acknowledged); 0 if
-/// unknown. The system has buffers of megabytes and signals writability only when a third of them
-/// is free, so this distinguishes a slow reader from one that does not read. Source: tcp(7),
-/// unix(7), SIOCOUTQ.
+/// unknown. Distinguishes a slow reader from one that does not read; writability needs a third of a
+/// buffer of megabytes to be free. Source: tcp(7), unix(7), SIOCOUTQ.
 std::size_t socket_send_queue(int fd) noexcept;
 
 }  // namespace hedgehog::server

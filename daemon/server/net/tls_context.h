@@ -11,9 +11,8 @@ namespace hedgehog::server {
 
 using TlsContext = std::shared_ptr<boost::asio::ssl::context>;
 
-/// With certificate and key of `access`; nullptr: no certificate. Only TLS 1.3, which has no
-/// renegotiation. Sessions are not resumed, so there is no early data, which could be replayed, and
-/// no key that decrypts the tickets of earlier connections. Throws std::exception.
+/// With certificate and key of `access`; nullptr: none. Only TLS 1.3, without resumption: no early
+/// data, which could be replayed, and no key of earlier tickets. Throws std::exception.
 TlsContext make_tls_context(const config::AccessSettings& access);
 
 }  // namespace hedgehog::server

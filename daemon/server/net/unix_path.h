@@ -11,13 +11,12 @@
 
 namespace hedgehog::server {
 
-/// Prepares `path` for a socket: creates its folder, requires that it belongs to this user or root,
-/// and removes a socket without a listening server. Throws std::runtime_error if a server is
-/// listening, or if the file is not a socket.
+/// Creates the folder of `path`, which must belong to this user or root, and removes a socket
+/// without a server. Throws std::runtime_error if a server listens or the file is not a socket.
 void prepare_socket_path(const std::string& path);
 
-/// Listens at `path`, after `prepare_socket_path`. The file has the mode 0660, or 0666 if `roles`
-/// decide on access. Throws std::runtime_error with a sentence for display.
+/// The same, and listens at `path` with mode 0660, or 0666 if `roles` decide on access. Throws
+/// std::runtime_error with a sentence for display.
 boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io_context& io,
                                                                  const std::string& path,
                                                                  const access::UnixRoles& roles);
@@ -26,8 +25,7 @@ boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io
 bool set_unix_mode(const std::string& path, std::uint64_t inode,
                    const access::UnixRoles& roles) noexcept;
 
-/// 0: no file.
-std::uint64_t inode_of(const std::string& path) noexcept;
+std::uint64_t inode_of(const std::string& path) noexcept;  // 0: no file
 
 /// Removes `path` if it still is the file `inode`: a later daemon may have replaced it.
 void remove_own_socket(const std::string& path, std::uint64_t inode) noexcept;

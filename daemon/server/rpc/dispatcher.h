@@ -34,16 +34,12 @@ class Dispatcher {
   /// Maximum number of forecasts, pattern lists and histories in one batch; further ones get
   /// `busy`. A batch cannot be interrupted, and delays an emergency stop.
   static constexpr int kMaxCostly = 8;
-  /// Size assumed for a pending response; most are shorter.
-  static constexpr std::size_t kReservedBytes = 1024;
+  static constexpr std::size_t kReservedBytes = 1024;  // assumed for a pending response
 
-  /// Called after every new snapshot.
-  void poll();
+  void poll();  // after every new snapshot
   bool waiting() const noexcept { return !waiting_.empty(); }
-  /// Responses to `session` are pending.
   bool has_pending(ConnectionId session) const noexcept { return pending(session) > 0; }
-  /// Number of pending responses.
-  std::size_t pending(ConnectionId session) const noexcept;
+  std::size_t pending(ConnectionId session) const noexcept;  // number of pending responses
 
  private:
   /// The responses to one line, until all are complete.
@@ -51,8 +47,7 @@ class Dispatcher {
     ConnectionId session = 0;
     bool batch = false;
     std::vector<std::string> responses;
-    /// Size of the responses, with `kReservedBytes` for each pending one.
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;  // of the responses, with kReservedBytes for each pending one
     int open = 0;
     std::map<protocol::Method, int> costly;
 

@@ -43,30 +43,23 @@ struct HandlerContext {
   StatusView& status;
   StateStore& state_store;
   std::map<ConnectionId, Session*> sessions{};
-  /// The connection that sets the orientation when `imu.type` is `external`; 0: none yet.
-  ConnectionId orientation_feeder = 0;
+  ConnectionId orientation_feeder = 0;  // sets it with imu.type "external"; 0: none yet
   TokenCheck tokens{};
   Counters counters{};
   TelemetrySamples telemetry{};
   LatencyLog latency{};
-  /// Identifies this start of the daemon.
   std::string start_id = random_start_id();
-  /// nullptr: devices are not scanned.
-  DeviceScanner* devices = nullptr;
-  /// nullptr: trips are not recorded.
-  TripRecordings* recordings = nullptr;
+  DeviceScanner* devices = nullptr;      // nullptr: devices are not scanned
+  TripRecordings* recordings = nullptr;  // nullptr: trips are not recorded
   /// Previews in progress, by connection; completed ones have expired.
   std::map<ConnectionId, std::weak_ptr<Preview>> previews{};
   /// The coils are off and the daemon is stopping: only pending responses are still sent.
   bool stopping = false;
 
-  /// `connections.max`.
   std::size_t max_connections = config::ConnectionSettings{}.max;
 
-  /// One is in progress.
-  bool has_previews() const noexcept;
-  /// Sessions that are not `locked`.
-  std::size_t connections() const noexcept;
+  bool has_previews() const noexcept;        // in progress
+  std::size_t connections() const noexcept;  // sessions that are not locked
   /// See `Server::log_in`; logged and counted.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret);
 };
@@ -86,8 +79,7 @@ struct Call {
 
 using Response = protocol::Result<protocol::ResultValue>;
 
-/// A response that depends on future ticks; polled after each until it is complete. `give_up`: the
-/// control thread does not run.
+/// A response that depends on future ticks, polled after each. `give_up`: control does not run.
 struct Deferred {
   std::function<std::optional<Response>(HandlerContext&, bool give_up)> poll;
 };

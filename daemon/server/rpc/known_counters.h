@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Initialises the counters with known labels to 0: the rate of a counter that appears with its
-// first event would not include that event.
+// The counters with known labels, at 0: a rate would not include the first event of a new counter.
 #pragma once
 
 #include "daemon/server/session/counters.h"

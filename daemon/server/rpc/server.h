@@ -25,29 +25,23 @@ namespace hedgehog::server {
 
 class Server {
  public:
-  /// Called for every event of the control thread, also those not sent to clients. `effect`:
-  /// nullptr for other events. For an event that is not of an effect the sinks are flushed first;
-  /// only for those may it take long, for example to write to the log.
+  /// Gets every event of the control thread. `effect`: nullptr for other events. May take long, for
+  /// example for the log, only for events not of an effect: the sinks are flushed before those.
   using EventListener = std::function<void(const control::Event&, const Effect* effect)>;
 
-  /// Milliseconds since 1970, for recorded events.
-  using WallClock = std::function<std::int64_t()>;
+  using WallClock = std::function<std::int64_t()>;  // ms since 1970, for recorded events
 
   Server(DeviceView& device_view, StateStore& state_store, PatternLibrary& patterns,
          EventHistory& history, EventListener listener, WallClock wall_clock);
 
-  /// The scanner of device.list; outlives the server.
+  /// Scanner of device.list and recorder of trips; they outlive the server.
   void set_devices(DeviceScanner& devices) noexcept { context_.devices = &devices; }
-
-  /// The recorder of trips; outlives the server.
   void set_recordings(TripRecordings& recordings) noexcept { context_.recordings = &recordings; }
 
-  /// Called at the start and at each reload. Closes connections whose token is no longer valid, and
-  /// those of the Unix socket whose user has a different role now; others without a token get the
-  /// present role of their transport.
+  /// At the start and each reload. Closes connections whose token is no longer valid, or whose Unix
+  /// user has another role; others without a token get the present role of their transport.
   void set_access(const config::Config& config);
-  /// See `TokenCheck::log_in`; a `locked` session also needs capacity in `connections.max`, else
-  /// busy.
+  /// See `TokenCheck::log_in`; `busy` if a `locked` session would exceed `connections.max`.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret) {
     return context_.log_in(session, secret);
   }
@@ -64,22 +58,20 @@ class Server {
   void drop_responses(const Session& session);
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
-  /// True if it must not wait behind others: one of its requests is an emergency stop.
   static bool has_emergency_stop(std::string_view text) {
     return Dispatcher::has_emergency_stop(text);
   }
 
   /// Publishes the control thread's events and snapshot.
   void pump();
-  /// To be called by a sink that was sent a line and has `unsent_bytes`. True: more lines come with
-  /// this `pump`, and `Sink::flush` is called after the last of them, so that they leave in one
-  /// write. False: there is nothing to wait for, or it is a write of its own already.
+  /// For a sink that was sent a line and has `unsent_bytes`. True: more lines come with this
+  /// `pump`, which calls `Sink::flush` after the last of them. False: nothing to wait for, or
+  /// enough for a write of its own.
   bool flush_after_pump(Session& session, std::size_t unsent_bytes);
   /// Number of pending responses to `session`.
   std::size_t pending(const Session& session) const noexcept {
     return dispatcher_.pending(session.id);
   }
-  /// Responses are pending.
   bool has_pending() const noexcept { return dispatcher_.waiting(); }
   /// Ticks until the next `pump` is due, unless events come earlier: the next one while a client
   /// waits for it, else that of the next telemetry, if any (see TelemetryPublisher::kNever).

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Telemetry notifications to the sessions that subscribed. A tick is encoded once per list of
-// fields, and the bytes are shared by all clients with that list.
+// Telemetry to subscribed sessions, encoded once per tick and list of fields for all clients.
 #pragma once
 
 #include <array>
@@ -21,14 +20,12 @@ namespace hedgehog::server {
 /// io thread only.
 class TelemetryPublisher {
  public:
-  /// Maximum number of lines per `pump`, which bounds the delay of requests.
-  static constexpr std::size_t kSlice = 64;
+  static constexpr std::size_t kSlice = 64;  // lines per pump, to bound the delay of requests
   static constexpr model::Tick kNever = model::Tick{1} << 60;
 
   explicit TelemetryPublisher(HandlerContext& context) : context_(context) {}
 
-  /// Finds the sessions due at the latest tick, and sends to the first `kSlice` waiting ones. The
-  /// data is always that of the latest tick.
+  /// Sends the data of the latest tick to the first `kSlice` of the sessions that are due.
   void pump();
   /// Some sessions have not been served by the last `pump`.
   bool has_unsent() const noexcept { return !due_.empty(); }
@@ -48,13 +45,10 @@ class TelemetryPublisher {
   const protocol::Status& status(bool with_pins);
 
   HandlerContext& context_;
-  /// In the order in which they became due.
-  std::deque<Due> due_;
-  /// By the tick at which they will be.
-  std::map<model::Tick, std::vector<ConnectionId>> expected_{};
-  model::Tick tick_ = -1;
-  // Of `tick_`.
-  std::array<std::optional<protocol::Status>, 2> status_;  // without and with pins
+  std::deque<Due> due_;  // in the order in which they became due
+  std::map<model::Tick, std::vector<ConnectionId>> expected_{};  // by their due tick
+  model::Tick tick_ = -1;                                        // of status_ and lines_
+  std::array<std::optional<protocol::Status>, 2> status_;        // without and with pins
   std::vector<std::pair<protocol::StatusKeys, SharedLine>> lines_;
 };
 

@@ -20,10 +20,8 @@ struct Counters {
   std::map<std::pair<Name, Name>, std::uint64_t> effects;
   /// Effects admitted with less than requested, by cause; only requests with a response.
   std::map<Name, std::uint64_t> limited;
-  /// Clients rejected or disconnected, by reason.
-  std::map<Name, std::uint64_t> rejected;
-  /// By reason.
-  std::map<Name, std::uint64_t> trips;
+  std::map<Name, std::uint64_t> rejected;  // clients rejected or disconnected, by reason
+  std::map<Name, std::uint64_t> trips;     // by reason
   std::uint64_t telemetry_dropped = 0;
 };
 

@@ -8,8 +8,7 @@
 
 namespace hedgehog::server {
 
-/// "user 1000".
-std::string user_text(const access::Peer& peer);
+std::string user_text(const access::Peer& peer);  // "user 1000"
 
 /// "192.0.2.7:5000", "unix (user 1000, process 4711)". Any thread.
 std::string origin_text(const Session& session);

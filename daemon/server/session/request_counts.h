@@ -17,8 +17,7 @@ namespace hedgehog::server {
 /// io thread only. An array, because each request is counted.
 class RequestCounts {
  public:
-  /// One series of the metrics: the method's name, "none" for an invalid request; the error code, 0
-  /// = carried out.
+  /// One series of the metrics: method, "none" for an invalid request; error code, 0: carried out.
   struct Series {
     std::string_view method;
     int code = 0;
@@ -32,8 +31,7 @@ class RequestCounts {
   }
 
   /// Calls `report(Series)` for each possible error of each method and of decoding, also those that
-  /// have not occurred: the rate of a counter that appears with its first event would not include
-  /// that event.
+  /// have not occurred: a rate would not include the first event of a new counter.
   template <class Report>
   void for_each(Report report) const {
     for (std::size_t row = 0; row <= kNoMethod; ++row) {
@@ -68,8 +66,7 @@ class RequestCounts {
                : protocol::possible_errors(protocol::kMethods[row]);
   }
 
-  /// The last row is of no method, column 0 without an error, the last column of codes that are not
-  /// in the protocol.
+  /// Last row: no method. First column: no error; last column: codes that are not in the protocol.
   std::array<std::array<std::uint64_t, protocol::kErrorCodes.size() + 2>, kNoMethod + 1> counts_{};
 };
 

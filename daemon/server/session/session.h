@@ -18,26 +18,22 @@
 
 namespace hedgehog::server {
 
-/// Unique while the daemon runs; 0 is none.
-using ConnectionId = std::int64_t;
+using ConnectionId = std::int64_t;  // unique while the daemon runs; 0: none
 
-/// kSoon: together with those of other clients, when the io thread has finished what it does at
-/// present. kAtOnce: before what takes long.
+/// kSoon: with other clients' lines, after the io thread's present work. kAtOnce: before long work.
 enum class Flush : std::uint8_t { kSoon, kAtOnce };
 
 /// Destination of a session's lines: a socket, or a list in tests.
 class Sink {
  public:
   virtual ~Sink() = default;
-  /// `line` without LF. May end the session if its client does not read (later, never inside this
-  /// call).
+  /// `line` has no LF. May end a session whose client does not read, but not within this call.
   virtual void send(std::string line, LineKind kind) = 0;
   /// The same for telemetry shared with other clients.
   virtual void send_telemetry(const SharedLine& line) {
     send(line->substr(0, line->size() - 1), LineKind::kTelemetry);
   }
-  /// Writes the queued lines without waiting for more (see `Server::flush_after_pump`); neither
-  /// sends lines nor ends a session within this call.
+  /// Writes the queue (`Server::flush_after_pump`); sends no line and ends no session within it.
   virtual void flush(Flush when) = 0;
   /// No more lines follow: the queued ones may be sent, then the session ends.
   virtual void finish() = 0;
@@ -60,36 +56,26 @@ struct Session {
   ConnectionId id = 0;
   std::string transport;  // "tcp", "unix"
   std::optional<std::string> address;
-  /// On the Unix socket; nullopt there: not provided by the system.
-  std::optional<access::Peer> peer;
+  std::optional<access::Peer> peer;  // Unix socket only; nullopt: not provided by the system
   protocol::Role role = protocol::Role::kPlay;
-  /// The token it has sent; nullopt: the role is that of its transport, or of its user.
-  std::optional<access::Token> token;
-  /// Of the tokens and roles by which it got its role; 0: it was not admitted by a `TokenCheck`.
-  std::uint64_t access_version = 0;
-  /// Only `hello` with a token is executed: it needs one, its own was revoked, or its user has no
-  /// role.
+  std::optional<access::Token> token;  // sent; nullopt: role of its transport or user
+  std::uint64_t access_version = 0;    // of the TokenCheck that gave the role; 0: none
+  /// Executes only `hello` with a token: it has none, a revoked one, or a user without a role.
   bool locked = false;
-  /// Ended by the daemon: no token unlocks it, and requests are rejected until its socket is
-  /// closed.
+  /// Ended by the daemon: no token unlocks it; requests are rejected until its socket is closed.
   bool ended = false;
   std::string client;
   model::Tick since = 0;
   std::optional<TelemetrySubscription> telemetry;
   std::optional<EventSubscription> events;
   Sink* sink = nullptr;
-  /// Its sink is flushed before the present `Server::pump` ends.
-  bool flush_due = false;
+  bool flush_due = false;  // its sink is flushed before Server::pump ends
   /// A batch is not executed further when its responses are longer.
   std::size_t batch_bytes = std::size_t{512} << 10;
-  /// Size of responses that wait for others of their batch.
-  std::size_t open_bytes = 0;
-  /// Time at which the executing request was read, CLOCK_MONOTONIC ns; 0: unknown.
-  std::int64_t received_ns = 0;
-  /// Number of requests held until the client reads its responses.
-  std::size_t held = 0;
-  /// Number of them, from the first, that were sent before an executed emergency stop, or before
-  /// the connection closed: they start nothing any more.
+  std::size_t open_bytes = 0;    // of responses that wait for others of their batch
+  std::int64_t received_ns = 0;  // when the present request was read, CLOCK_MONOTONIC; 0: unknown
+  std::size_t held = 0;          // requests held until the client reads its responses
+  /// Number of the first of them, sent before an emergency stop or the close: they start nothing.
   std::size_t bypassed = 0;
 };
 

@@ -6,8 +6,7 @@
 
 namespace hedgehog::server {
 
-/// Sixteen hexadecimal digits from the system's random numbers: a client that gets others after a
-/// lost connection is connected to another daemon, or to another start of the same.
+/// Sixteen random hexadecimal digits; others after a lost connection: another start or daemon.
 std::string random_start_id();
 
 }  // namespace hedgehog::server

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Role of a client: that of its token, or without one that of its transport, on the Unix socket
-// that of its user.
+// Role of a client: that of its token, else of its transport, on the Unix socket of its user.
 #pragma once
 
 #include <cstdint>
@@ -35,13 +34,11 @@ class TokenCheck {
     ++version_;
   }
 
-  /// Role of a client without a token. On the Unix socket that of its user, also on the simulator;
-  /// nullopt: none. Elsewhere every client may do everything on the simulator, which cannot hurt a
-  /// person; otherwise it may play, or only observe if a token is configured.
+  /// Role without a token: on the Unix socket always the user's; nullopt: none. Elsewhere operate
+  /// on the simulator, which cannot hurt a person; else play, or observe if a token is configured.
   std::optional<protocol::Role> role_without_token(const Session& session) const noexcept;
 
-  /// Sets that role of a new `session`; without one it is locked. REQUIRES: its transport and peer
-  /// are known.
+  /// Gives a new `session` that role, or locks it. REQUIRES: its transport and peer are known.
   void admit(Session& session) const noexcept;
   /// Gives `session` the role of the sent token. Returns an error: `unauthorized`, at once during
   /// the back-off of its address. The error does not contain `secret`.
@@ -65,8 +62,7 @@ class TokenCheck {
   access::UnixRoles unix_roles_;
   std::uint32_t own_user_ = 0;
   bool simulated_ = false;
-  /// Counts the changes of the above.
-  std::uint64_t version_ = 1;
+  std::uint64_t version_ = 1;  // counts the changes of the above
   FailedTokens failed_;
 };
 

@@ -15,18 +15,15 @@ namespace hedgehog::server {
 
 enum class LineKind : std::uint8_t { kResponse, kEvent, kTelemetry };
 
-/// A line of telemetry, including its LF, shared by several clients.
-using SharedLine = std::shared_ptr<const std::string>;
+using SharedLine = std::shared_ptr<const std::string>;  // a line of telemetry with its LF
 
 /// io thread; one per connection.
 class WriteQueue {
  public:
-  /// `max_bytes`: if responses and events alone exceed it, the client has stopped reading.
-  /// Telemetry is dropped while more than half of it is queued.
+  /// `max_bytes`: beyond it the client has stopped reading; beyond half, telemetry is dropped.
   explicit WriteQueue(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
-  /// Small lines are sent together up to this size.
-  static constexpr std::size_t kChunkBytes = 16 * 1024;
+  static constexpr std::size_t kChunkBytes = 16 * 1024;  // small lines are sent together up to it
 
   /// Adds `line` and its LF. False: the queue is full, disconnect.
   [[nodiscard]] bool push(std::string line, LineKind kind);
@@ -34,8 +31,7 @@ class WriteQueue {
 
   /// No lines are queued except those being sent.
   bool empty() const noexcept { return lines_.empty(); }
-  /// The next lines as one buffer, which is valid until `sent`. REQUIRES: !empty(), and `sent` was
-  /// called since the last `take`.
+  /// The next lines as one buffer, valid until `sent`. REQUIRES: !empty(), !is_sending().
   const std::string& take();
   /// The same with the next line only.
   const std::string& take_one();
@@ -46,13 +42,11 @@ class WriteQueue {
   }
   /// `bytes` more of them were sent. REQUIRES: not more than `unsent`.
   void sent_part(std::size_t bytes) noexcept { sent_bytes_ += bytes; }
-  /// All of them were sent.
-  void sent() noexcept;
+  void sent() noexcept;  // all of them
 
   /// Size of all lines, including the buffer being sent.
   std::size_t bytes() const noexcept { return bytes_; }
-  /// Size of the responses among them.
-  std::size_t response_bytes() const noexcept { return response_bytes_; }
+  std::size_t response_bytes() const noexcept { return response_bytes_; }  // among them
   std::uint64_t telemetry_dropped() const noexcept { return dropped_; }
   /// Number of lines dropped since the last call.
   std::uint64_t take_dropped() noexcept {
@@ -68,8 +62,7 @@ class WriteQueue {
   };
   bool push(Line line);
   void drop_telemetry();
-  /// Moves the next line to the end of `sending_`; a shared one is not copied if it is the only
-  /// one.
+  /// Moves the next line to the end of `sending_`, without a copy if it is a single shared one.
   void move_next();
   const std::string& sending() const noexcept {
     return sending_shared_ ? *sending_shared_ : sending_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One HTTP connection: requests and responses, until it closes or becomes a WebSocket. Does not
-// include Boost.Beast, which takes half a minute to compile.
+// One HTTP connection, until it closes or becomes a WebSocket. Does not include Boost.Beast.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -22,8 +21,7 @@ struct HttpEndpoint {
   const config::ConnectionSettings& connections;
   /// The session of a new WebSocket, or nullopt at the limit of connections. With TLS it is locked.
   std::function<std::optional<Session>(boost::asio::ip::tcp::socket&, bool tls)> admit;
-  /// Registers an upgraded connection.
-  std::function<void(std::shared_ptr<Connection>)> enter;
+  std::function<void(std::shared_ptr<Connection>)> enter;  // registers an upgraded connection
 };
 
 /// Bounds: 8 KiB of headers, 1 KiB of body (none is ever needed), 30 s until a request is received.

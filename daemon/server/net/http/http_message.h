@@ -11,47 +11,36 @@ namespace hedgehog::server {
 
 struct HttpRequest {
   std::string method;
-  /// As sent, "/metrics?x=1".
-  std::string target;
-  /// Empty if absent, or sent more than once.
-  std::string host;
+  std::string target;  // as sent, "/metrics?x=1"
+  std::string host;    // empty if absent, or sent more than once
   std::optional<std::string> origin{};
-  // Empty if absent.
-  std::string if_none_match{};
-  std::string accept_encoding{};
+  std::string if_none_match{};    // empty if absent
+  std::string accept_encoding{};  // empty if absent
   /// Fetch Metadata (W3C): site of the requester, "cross-site", and purpose, "navigate".
   std::string fetch_site{};
   std::string fetch_mode{};
-  /// Of `Authorization: Bearer`; nullopt: absent.
-  std::optional<std::string> token{};
-  /// Received over TLS, from "192.0.2.7:5000".
+  std::optional<std::string> token{};  // of "Authorization: Bearer"; nullopt: absent
   bool tls = false;
-  std::string address{};
+  std::string address{};  // "192.0.2.7:5000"
 
-  /// The target without its query.
-  std::string path() const { return target.substr(0, target.find('?')); }
+  std::string path() const { return target.substr(0, target.find('?')); }  // without the query
 };
 
 struct HttpResponse {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = std::make_shared<std::string>();
-  /// Including the quotes; empty: none.
-  std::string etag{};
+  std::string etag{};  // including the quotes; empty: none
   std::string cache_control = "no-store";
   /// Encoding of the body, "gzip", and the header it depends on, "Accept-Encoding". Empty: none.
   std::string encoding{};
   std::string vary{};
-  /// File name for saving the body; empty: to be displayed.
-  std::string filename{};
+  std::string filename{};  // for saving the body; empty: to be displayed
   /// Polled until it returns the body, which the disk thread reads; none: the body is complete.
   std::function<std::shared_ptr<const std::string>()> pending{};
-  /// Permitted methods, "GET, HEAD".
-  std::optional<std::string> allow{};
-  /// Value of `WWW-Authenticate`; empty: none.
-  std::string challenge{};
-  /// The request contained a valid token.
-  bool authorized = false;
+  std::optional<std::string> allow{};  // permitted methods, "GET, HEAD"
+  std::string challenge{};             // of "WWW-Authenticate"; empty: none
+  bool authorized = false;             // the request contained a valid token
 };
 
 /// An error as one sentence for display.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Access control of HTTP and WebSocket. Any web page can reach loopback: a foreign site is detected
-// by its `Origin`, or, if it only embeds or links a resource, by `Sec-Fetch-Site`; DNS rebinding by
-// its `Host`. Pure functions.
+// Access control of HTTP and WebSocket by pure functions. A foreign site is detected by `Origin`,
+// or, if it only embeds or links a resource, by `Sec-Fetch-Site`; DNS rebinding by `Host`.
 #pragma once
 
 #include <optional>
@@ -13,8 +12,7 @@
 
 namespace hedgehog::server {
 
-/// "localhost", an address 127.x.x.x or "[::1]", with or without a port: ssh -L may use another
-/// one.
+/// "localhost", 127.x.x.x or "[::1]", with any port or none: ssh -L may use another one.
 bool is_own_host(std::string_view host);
 
 /// The reason as one sentence, and the `reason` of the metrics.

@@ -9,15 +9,13 @@ namespace hedgehog::server {
 
 /// nullopt: not available in /proc.
 struct ProcessUsage {
-  /// User and system time of all threads, s.
-  double cpu_s = 0.0;
+  double cpu_s = 0.0;  // user and system time of all threads
   std::optional<double> open_fds{};
   std::optional<double> max_fds{};
   std::optional<double> virtual_memory_bytes{};
   std::optional<double> resident_memory_bytes{};
   std::optional<double> threads{};
-  /// Seconds since 1970.
-  std::optional<double> start_time_s{};
+  std::optional<double> start_time_s{};  // since 1970
 };
 
 /// Reads a few small files of /proc; any thread, never throws.

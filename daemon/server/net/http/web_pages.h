@@ -14,8 +14,7 @@ class WebPages {
  public:
   static constexpr std::size_t kMaxBytes = 32u << 20;
 
-  /// Reads `folder` and its subfolders. A missing or too large folder gives no pages, with the
-  /// reason in `problem`.
+  /// Reads `folder` and its subfolders; without pages if it is missing or too large (`problem`).
   explicit WebPages(const std::string& folder);
 
   /// "/" is "/index.html". nullptr: no such page.

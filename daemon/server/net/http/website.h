@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resources by path: the dashboard's pages, /metrics, /healthz. /ws is upgraded by the HTTP
-// connection; only its access control is here.
+// Resources by path: the dashboard's pages, /metrics, /healthz; of /ws only its access control.
 #pragma once
 
 #include <optional>
@@ -22,13 +21,11 @@ class Website {
   HttpResponse answer(const HttpRequest& request);
   /// Response to a `request` that is rejected for any path; counted and logged. nullopt: accepted.
   std::optional<HttpResponse> refusal(const HttpRequest& request);
-  /// Gives `session` the role of the request's token. Returns the error, 401 or 503. Without a
-  /// token the session is not changed.
+  /// Gives `session` the role of the request's token, if it has one. Returns the error, 401 or 503.
   std::optional<HttpResponse> log_in(Session& session, const HttpRequest& request);
 
  private:
-  /// Resources that are not static.
-  HttpResponse live_response(const std::string& path);
+  HttpResponse live_response(const std::string& path);  // not static
   HttpResponse health() const;
   HttpResponse page(const HttpRequest& request) const;
   /// Recording of a trip, linked by the page that lists it: "/recordings/trip-0017.hhr".

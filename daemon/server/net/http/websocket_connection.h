@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A client on a WebSocket: one message per frame, otherwise as on TCP. For source files with Beast
-// only.
+// A client on a WebSocket: one message per frame, otherwise as on TCP. Only for files with Beast.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>

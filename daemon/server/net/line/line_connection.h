@@ -26,8 +26,7 @@ class LineConnection : public Connection {
   template <class Stream>
   boost::asio::awaitable<boost::system::error_code> send_to(Stream& stream, WriteQueue& queue);
 
-  /// `send_now` by `write_some`, which returns the number of bytes that the socket has taken, at
-  /// most 0 if it takes none.
+  /// `send_now` by `write_some`, which returns the bytes that the socket has taken; <= 0: none.
   template <class WriteSome>
   bool send_by(WriteQueue& queue, WriteSome write_some);
 

@@ -16,8 +16,7 @@ class LineReader {
   explicit LineReader(std::size_t limit) : limit_(limit) {}
 
   struct Line {
-    /// Without LF or CRLF; valid until the next call. Empty when `too_long`.
-    std::string_view text;
+    std::string_view text;  // without LF or CRLF; valid until the next call; empty if too long
     bool too_long = false;
   };
 
@@ -26,8 +25,7 @@ class LineReader {
   /// The next complete line; nullopt: more bytes are needed.
   std::optional<Line> next();
 
-  /// The first byte that is not a line end; nullopt before it is received. Decides whether the
-  /// client speaks this protocol.
+  /// The first byte that is no line end; nullopt: none yet. Decides whether it is this protocol.
   std::optional<char> first_byte() const noexcept { return first_byte_; }
 
  private:

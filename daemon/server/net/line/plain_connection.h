@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines on a plain socket, with a system call for each read and write: for the first clients, and
-// where io_uring is not available.
+// Lines on a plain socket, a system call per transfer: for first clients, and without io_uring.
 #pragma once
 
 #include <boost/asio/generic/stream_protocol.hpp>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Receives and sends of many sockets through io_uring: those of all clients that are ready are
-// passed to the kernel in one system call, in place of two or three for each. On machines where a
-// system call is slow, that is half of a request's cost (tests/bench/goals.md).
-// Source: io_uring(7), io_uring_setup(2), io_uring_enter(2).
+// Receives and sends of many sockets through io_uring: one system call for all ready clients, in
+// place of two or three for each (its cost: tests/bench/goals.md). Source: io_uring(7),
+// io_uring_setup(2), io_uring_enter(2).
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -21,8 +20,7 @@ namespace hedgehog::server {
 /// io thread only, from `open` on.
 class Ring {
  public:
-  /// Bytes received at a time.
-  static constexpr std::size_t kReceiveBytes = 2048;
+  static constexpr std::size_t kReceiveBytes = 2048;  // at a time
 
   /// A receive or send of one socket, one at a time. Must outlive it, or the ring.
   class Operation : public boost::intrusive::list_base_hook<
@@ -31,8 +29,7 @@ class Ring {
     Operation() = default;
     Operation(const Operation&) = delete;
     Operation& operator=(const Operation&) = delete;
-    /// It has been started and is not completed.
-    bool is_pending() const noexcept { return is_linked(); }
+    bool is_pending() const noexcept { return is_linked(); }  // started, not completed
 
    protected:
     ~Operation() { assert(!is_linked() || !submitted_); }
@@ -52,8 +49,7 @@ class Ring {
     std::string_view bytes_{};
   };
 
-  /// nullptr: the kernel has no io_uring with what is needed (Linux 6.0), or forbids it; `reason`
-  /// is then a clause for display.
+  /// nullptr: no io_uring of Linux 6.0, or it is forbidden; `reason`: a clause for display.
   static std::unique_ptr<Ring> open(boost::asio::io_context& io, std::string& reason);
   ~Ring();
   Ring(const Ring&) = delete;
@@ -77,8 +73,7 @@ class Ring {
 
   Ring(boost::asio::io_context& io, std::unique_ptr<Kernel> kernel);
   void wait_for_completions();
-  /// Passes what was started to the kernel, and completes what is done, until nothing is left or
-  /// the others of the io thread must be served.
+  /// Submits and completes operations until none is left, or others on the io thread are due.
   void run();
   void run_soon();
   /// Returns after `until`, once something was started.

@@ -15,8 +15,7 @@ namespace hedgehog::server {
 /// nullopt if there is none.
 std::optional<protocol::Disagreement> disagreement_view(const control::Disagreement& found);
 
-/// `effect`: the effect of the two effect events (nullptr: no longer known). nullopt: not sent to
-/// clients.
+/// `effect`: of an effect event; nullptr: no longer known. nullopt: not sent to clients.
 std::optional<protocol::Event> event_view(const control::Event& event, const Effect* effect,
                                           std::int64_t epoch_ns, const RemedyFacts& facts);
 
