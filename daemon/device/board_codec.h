@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of board_core/frame.h <-> the values of board_io.h, in SI units. Pure functions, any
-// thread, real-time safe.
+// Frames of board_core/frame.h <-> values of board_io.h, SI units. Any thread, real-time safe.
 #pragma once
 
 #include <array>
@@ -18,19 +17,16 @@ namespace hedgehog::device {
 
 using Frame = std::array<std::uint8_t, board::kFrameSize>;
 
-/// Tighter limits for the board (its built-in ones are in board_core/limits.h). Values above the
-/// board's own have no effect.
+/// Tighter limits than the board's own (board_core/limits.h); wider values have no effect.
 struct BoardLimits {
   double sensor_c = 75.0;
   double current_a = 16.5;
-  /// Share of the board's own I^2 t budgets, 0..1.
-  double heat = 1.0;
+  double heat = 1.0;  // share of the board's own I^2 t budgets, 0..1
 
-  /// Board limits for a host that keeps to `limits`: 5 K above its trip and a tenth above its
-  /// current, never more than 75 C and 16.5 A.
+  /// For a host that keeps to `limits`: 5 K above its trip and a tenth above its current, never
+  /// more than 75 C and 16.5 A.
   static BoardLimits of(const model::Limits& limits) noexcept;
-  /// True if these limits are wider than `other`, those in force on the board.
-  bool wider_than(const BoardLimits& other) const noexcept {
+  bool wider_than(const BoardLimits& other) const noexcept {  // `other`: in force on the board
     return sensor_c > other.sensor_c || current_a > other.current_a || heat > other.heat;
   }
   friend bool operator==(const BoardLimits&, const BoardLimits&) noexcept = default;
@@ -46,10 +42,9 @@ Frame encode_simulator(const SimulatorSettings& settings, std::uint32_t sequence
 Frame encode_simulator_error(const SimulatorErrorList& list, std::uint8_t index,
                              std::uint32_t sequence) noexcept;
 
-/// Contents of one packet from the board. `telemetry` is valid when `error` is kNone.
 struct DecodedTelemetry {
   board::FrameError error = board::FrameError::kNone;
-  BoardTelemetry telemetry;
+  BoardTelemetry telemetry;  // valid when `error` is kNone
 };
 
 /// Accepts any bytes. A well-formed frame of another type counts as kType.
@@ -62,8 +57,7 @@ std::optional<PlantTruth> decode_truth(std::span<const std::uint8_t> packet) noe
 SimulatorSettings decode_simulator(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
 Frame encode_truth(const PlantTruth& truth, std::uint32_t sequence) noexcept;
 
-/// Assembles a list of errors from frames that may be lost or repeated. Used by the simulated
-/// board.
+/// Assembles a list of errors from frames that may be lost or repeated; for the simulated board.
 class SimulatorErrorReader {
  public:
   /// Returns a newly completed list, or nullopt. Accepts any bytes of that type.

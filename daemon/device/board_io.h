@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands to the driver board and its telemetry, as values. The byte layout is in board_codec.h;
-// board-protocol.md beside it documents every byte.
+// Commands to the driver board and its telemetry, as values. Every byte: board-protocol.md.
 #pragma once
 
 #include <array>
@@ -13,8 +12,7 @@
 
 namespace hedgehog::device {
 
-/// Full duty on the wire.
-inline constexpr double kFullDuty = 32767.0;
+inline constexpr double kFullDuty = 32767.0;  // on the wire
 
 /// Of the board's own rules, in BoardTelemetry.
 using BoardFault = board::Fault;
@@ -22,19 +20,17 @@ using BoardMode = board::Mode;
 
 /// One set-point. Only `LimitedCurrents` produce duties other than zero. Trivially copyable.
 ///
-/// Each winding has two duties. The holding duty maintains the requested current, so it may be
-/// applied for as long as the set-point is not renewed: a late host cannot cause a larger current
-/// than requested. The boost drives the current there; it is valid for one millisecond only, so the
-/// board adds it only in the one in which a new set-point arrived.
+/// The holding duty maintains the requested current until the next set-point: a late host cannot
+/// cause a larger one. The boost drives the current there; the board adds it only in the
+/// millisecond in which the new set-point arrived.
 class BoardCommand {
  public:
   /// Bridges asleep, duty 0. Always allowed.
   constexpr BoardCommand() noexcept = default;
 
-  /// Drives `currents`. Holding duty: R I. With the boost: the voltage that drives I_now to I in
-  /// one tick T, exact for a winding of R and L, V = R (I - I_now e) / (1 - e) with e = exp(-R T /
-  /// L). Both are limited to the supply. `resistance_ohm` and `now_a` are the present estimates;
-  /// `supply_v` the measured supply (> 0). Returns the safe command for non-finite numbers.
+  /// Holding duty: R I. With the boost: V = R (I - I_now e) / (1 - e) with e = exp(-R T / L), which
+  /// drives I_now to I in one tick T, exact for R and L. Both are limited to the supply. Resistance
+  /// and `now_a` are estimates, `supply_v` is measured, > 0. Non-finite numbers: the safe command.
   static BoardCommand drive(const model::LimitedCurrents& currents,
                             const std::array<double, model::kCoils>& resistance_ohm,
                             double inductance_h, const model::Vec3& now_a,
@@ -55,19 +51,14 @@ class BoardCommand {
   constexpr const std::array<std::int16_t, model::kCoils>& boost_q15() const noexcept {
     return boost_q15_;
   }
-  /// Holding duty, -1..1.
-  model::Vec3 duty() const noexcept {
+  model::Vec3 duty() const noexcept {  // holding duty, -1..1
     return {duty_q15_[0] / kFullDuty, duty_q15_[1] / kFullDuty, duty_q15_[2] / kFullDuty};
   }
-  /// Duty applied in the first millisecond: holding and boost, -1..1.
-  model::Vec3 first_duty() const noexcept;
+  model::Vec3 first_duty() const noexcept;  // holding and boost, -1..1
 
-  /// Fan duty 0..255.
-  std::uint8_t fan = 0;
-  /// A change of this number requests the board to clear its latch and arm; set-points never do.
-  std::uint8_t arm_count = 0;
-  /// A change of this number requests the board to enter its boot loader.
-  std::uint8_t boot_loader_count = 0;
+  std::uint8_t fan = 0;                // duty, 0..255
+  std::uint8_t arm_count = 0;          // a change requests the board to clear its latch and arm
+  std::uint8_t boot_loader_count = 0;  // a change requests the board to enter its boot loader
 
  private:
   bool enable_ = false;
@@ -75,20 +66,17 @@ class BoardCommand {
   std::array<std::int16_t, model::kCoils> boost_q15_{};
 };
 
-/// Per winding: its current was measured. A driver's own sensor does not measure while its bridge
-/// brakes.
+/// Windings whose current was measured. A driver's own sensor does not while its bridge brakes.
 using Measured = std::array<bool, model::kCoils>;
 
 /// Contents of the preceding frame. Trivially copyable.
 struct FrameBefore {
-  /// False when that frame was lost.
-  bool known = false;
+  bool known = false;  // false: that frame was lost
   bool bridges_awake = false;
   model::Vec3 current_a;
   Measured measured{true, true, true};
 };
 
-/// One of the board's thermistors.
 enum class ThermistorState : std::uint8_t { kNone, kRead, kOpen, kShorted };
 struct Thermistor {
   ThermistorState state = ThermistorState::kNone;
@@ -97,60 +85,46 @@ struct Thermistor {
 
 /// Measurements of the board in its last frame. Trivially copyable.
 struct BoardTelemetry {
-  /// Number of the frame, and of the last set-point it received.
-  std::uint32_t sequence = 0;
-  std::uint32_t set_point_sequence = 0;
-  /// Number of the last frame of any kind that the board accepted.
-  std::uint32_t received_sequence = 0;
-  /// The board's own clock, ms.
-  std::uint32_t board_ms = 0;
+  std::uint32_t sequence = 0;            // of this frame
+  std::uint32_t set_point_sequence = 0;  // of the last set-point the board received
+  std::uint32_t received_sequence = 0;   // of the last frame of any kind it accepted
+  std::uint32_t board_ms = 0;            // the board's own clock
   model::Vec3 current_a;
-  /// False: `current_a` is 0 and not valid.
-  Measured measured{true, true, true};
+  Measured measured{true, true, true};  // false: that `current_a` is 0 and not valid
   model::CurrentAccuracy accuracy = model::kDriverCsAccuracy;
-  /// Duty applied at the bridges over the last millisecond, -1..1; zero while they sleep.
-  model::Vec3 duty;
+  model::Vec3 duty;  // at the bridges over the last millisecond, -1..1; zero while they sleep
   double supply_v = 0.0;
-  /// Current drawn by the bridges, on boards that measure it.
-  bool supply_current_known = false;
+  bool supply_current_known = false;  // drawn by the bridges, on boards that measure it
   double supply_current_a = 0.0;
-  /// 1: on the winding that the device file specifies; otherwise one on each winding in their
-  /// order.
-  int thermistors = 1;
+  int thermistors = 1;  // 1: on the winding that the device file specifies; else one on each
   std::array<Thermistor, model::kCoils> thermistor{};
-  /// The first thermistor; invalid when kFaultSensorOpen or kFaultSensorShort is set.
-  double sensor_c = 0.0;
+  double sensor_c = 0.0;  // first thermistor; invalid with kFaultSensorOpen or kFaultSensorShort
   double fan_rpm = 0.0;
   double fan_duty = 0.0;
   BoardMode mode = BoardMode::kSafe;
   bool supply_switch_closed = true;
   bool bridges_awake = false;
   std::uint8_t arm_count = 0;
-  /// Bits of BoardFault, live and latched.
-  std::uint16_t faults = 0;
-  /// Thermistor conversions so far, mod 256: constant when the sensor is no longer read.
-  std::uint8_t sensor_conversions = 0;
-  /// 1.0 boards do not report what they measure, 1.1 boards do not report their minor version; from
-  /// 1.2 on they support the boot loader frame.
+  std::uint16_t faults = 0;             // bits of BoardFault, live and latched
+  std::uint8_t sensor_conversions = 0;  // mod 256; constant when the sensor is no longer read
+  /// 1.0 boards do not report what they measure, 1.1 boards do not report their minor version;
+  /// from 1.2 on they support the boot loader frame.
   std::uint16_t protocol_version = 1;
   std::uint16_t protocol_minor = 1;
-  /// The board's own limits in force, and the use of the fuller of its I^2 t budgets (1 = trip).
-  double limit_sensor_c = 75.0;
+  double limit_sensor_c = 75.0;  // the board's own limits in force
   double limit_current_a = 16.5;
-  double heat_used = 0.0;
+  double heat_used = 0.0;  // use of the fuller I^2 t budget; 1 = trip
   /// Filled in by the link, which receives every frame: control may receive only every second one.
   FrameBefore before;
 };
 
-/// The thermistor on winding `coil`, 0..2: that winding's own, or the only one. kNone until the
-/// board has sent it.
+/// The thermistor of winding `coil`, 0..2, or the only one. kNone until the board has sent it.
 inline Thermistor thermistor_on(const BoardTelemetry& board, int coil) noexcept {
   return board.thermistors > 1 ? board.thermistor[static_cast<std::size_t>(coil)]
                                : Thermistor{ThermistorState::kRead, board.sensor_c};
 }
 
-/// Winding currents, A: as measured while the bridges are awake; while they sleep, less than half
-/// an ampere is sensor noise.
+/// Winding currents, A; while the bridges sleep, less than half an ampere is sensor noise and 0.
 inline model::Vec3 flowing_a(const BoardTelemetry& board) noexcept {
   constexpr double kStuckA = 0.5;
   const bool flows = board.bridges_awake || norm(board.current_a) > kStuckA;

@@ -12,13 +12,11 @@ namespace hedgehog::device {
 /// io thread only.
 class CpuLatency {
  public:
-  /// Longest wake-up while requested, us.
-  static constexpr int kLongestUs = 20;
+  static constexpr int kLongestUs = 20;  // wake-up while requested
 
   explicit CpuLatency(std::string path = "/dev/cpu_dma_latency");
 
-  /// Makes the request, or ends it, as it does when the process ends. Nothing where the system does
-  /// not allow it, which is tried once.
+  /// Makes or ends the request, as the process's end does. Nothing once the system has refused it.
   void request(bool wanted) noexcept;
   bool requested() const noexcept { return file_.get() >= 0; }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The host's end of the link as a pure step: the frames to send in this millisecond, and the
-// contents of the received packets.
+// The host's end of the link as a pure step: frames to send in this millisecond, received packets.
 #pragma once
 
 #include <array>
@@ -13,26 +12,23 @@
 
 namespace hedgehog::device {
 
-/// Frames to the board in one millisecond: always a set-point, and rarely one frame of another
-/// type, to be sent after it.
+/// Frames to the board in one millisecond: a set-point, and rarely one of another type after it.
 struct LinkFrames {
   Frame set_point{};
   std::optional<Frame> other;
 };
 
-/// Real-time safe: no allocation, lock, clock or syscall. One thread (the link thread, or the test
-/// rig).
+/// Real-time safe: no allocation, lock, clock or syscall. One thread (the link's, the test rig's).
 ///
 /// A tick is a millisecond, with or without a step: a late thread reports missed ones by `skip`.
 ///
-/// A set-point that is not renewed is repeated without its boost for 19 ticks; from the 20th on the
-/// safe command is sent instead. While no board is present only the safe command is sent.
+/// A set-point that is not renewed is repeated without its boost for 19 ticks; then the safe
+/// command is sent, as always while no board is present.
 ///
 /// A change of BoardCommand::arm_count to a value other than the board's own count becomes an arm
-/// request, repeated until the board confirms it or for 50 ticks; a board that appears or restarts
-/// later is never armed by an old request. Start from the board's count, since another host may
-/// have armed it before. A change of BoardCommand::boot_loader_count becomes a request for the boot
-/// loader, repeated for at most 50 ticks, to the present board.
+/// request, repeated until confirmed or for 50 ticks; an old one never arms a board that appears or
+/// restarts later. Start from the board's count, since another host may have armed it before. A
+/// change of boot_loader_count becomes a request to the present board, for at most 50 ticks.
 class Link {
  public:
   static constexpr int kOverdueTicks = 20;
@@ -42,8 +38,7 @@ class Link {
   /// `limits` are sent whenever a board appears, and repeated.
   explicit Link(const BoardLimits& limits) noexcept : limits_(limits) {}
 
-  /// Replaces the limits; sent at once and whenever a board appears.
-  void set_limits(const BoardLimits& limits) noexcept {
+  void set_limits(const BoardLimits& limits) noexcept {  // and sends them at once
     limits_ = limits;
     limits_due_ticks_ = 0;
   }
@@ -56,19 +51,16 @@ class Link {
   /// One received packet, any bytes; any number of them before each `step`.
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
-  /// Advances by one millisecond. `command` is the latest one of the control thread: new if its
-  /// count differs from the previous one.
+  /// Advances by one millisecond. `command` is new if its count differs from the previous one.
   LinkFrames step(const LinkCommand& command) noexcept;
-  /// The same, with all inputs from the port.
-  LinkFrames step(LinkPort& port) noexcept;
+  LinkFrames step(LinkPort& port) noexcept;  // with all inputs from the port
 
   /// The set-point of the last `step` was written to the board at `now_ns`; for the report.
   void set_written(std::int64_t now_ns) noexcept;
 
   /// Received telemetry so far; presence and counters of sent frames as of the last `step`.
   const LinkReport& report() const noexcept { return report_; }
-  /// The simulated board's last report of its plant.
-  const PlantTruth& truth() const noexcept { return truth_; }
+  const PlantTruth& truth() const noexcept { return truth_; }  // the simulated board's last
 
  private:
   void accept_telemetry(BoardTelemetry telemetry) noexcept;
@@ -91,8 +83,7 @@ class Link {
 
   std::uint8_t requested_arm_ = 0;
   int arm_ticks_left_ = 0;
-  /// Added to the count of a restarted board, so that it is continuous for control: the next
-  /// request then differs from the board's own count, whatever its value.
+  /// Makes a restarted board's count continuous: the next request then differs from its own count.
   std::uint8_t arm_offset_ = 0;
 
   std::uint8_t requested_boot_loader_ = 0;
@@ -101,10 +92,9 @@ class Link {
   int limits_due_ticks_ = 0;
   int simulator_due_ticks_ = 0;
   std::optional<SimulatorSettings> simulator_;
-  /// 0: the settings themselves; from 1 on their errors.
-  int simulator_part_ = 0;
+  int simulator_part_ = 0;  // 0: the settings themselves; from 1 on their errors
   PlantTruth truth_;
-  /// Frames since the last reading of each thermistor; initially unknown.
+  /// Frames since the last reading of each; initially unknown.
   std::array<std::uint32_t, model::kCoils> thermistor_age_{1000, 1000, 1000};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exchange between the control thread and the link: the latest set-point, the latest telemetry,
-// and, with the simulated board only, its settings.
+// and, with the simulated board only, its settings and true state.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,7 @@
 
 namespace hedgehog::device {
 
-/// control -> link, one per tick. `count` is incremented with each, so that the link can
-/// distinguish a fresh set-point from an old one.
+/// control -> link, one per tick. `count` increases with each: the link detects a fresh set-point.
 struct LinkCommand {
   std::uint64_t count = 0;
   BoardCommand board;
@@ -21,27 +20,20 @@ struct LinkCommand {
 
 /// link -> control.
 struct LinkReport {
-  /// A board of this protocol version is connected.
-  bool present = false;
-  /// The last telemetry; `telemetry_count` is incremented with each valid frame.
+  bool present = false;  // a board of this protocol version is connected
   BoardTelemetry telemetry;
-  std::uint64_t telemetry_count = 0;
+  std::uint64_t telemetry_count = 0;  // incremented with each valid frame
   LinkCounters counters;
-  /// LinkCommand::count of the newest set-point written to the board, and the time of its first
-  /// write, CLOCK_MONOTONIC; 0: none yet.
-  std::uint64_t written_count = 0;
-  std::int64_t written_ns = 0;
+  std::uint64_t written_count = 0;  // LinkCommand::count of the newest set-point written
+  std::int64_t written_ns = 0;      // time of its first write, CLOCK_MONOTONIC; 0: none yet
 };
 
 struct LinkPort {
   base::TripleBuffer<LinkCommand> commands;
   base::TripleBuffer<LinkReport> reports;
-  /// io -> link; simulated board only.
-  base::TripleBuffer<SimulatorSettings> simulator;
-  /// link -> io; simulated board only.
-  base::TripleBuffer<PlantTruth> truth;
-  /// io -> link: at the start, and when the limits were tightened.
-  base::TripleBuffer<BoardLimits> limits;
+  base::TripleBuffer<SimulatorSettings> simulator;  // io -> link; simulated board only
+  base::TripleBuffer<PlantTruth> truth;             // link -> io; simulated board only
+  base::TripleBuffer<BoardLimits> limits;           // io -> link: at the start, and when tightened
 };
 
 }  // namespace hedgehog::device

@@ -23,8 +23,7 @@ class LinkThread {
              const std::optional<BoardLimits>& limits = std::nullopt);
   LinkThread(const LinkThread&) = delete;
   LinkThread& operator=(const LinkThread&) = delete;
-  /// Sends the safe command once more, then ends.
-  ~LinkThread();
+  ~LinkThread();  // sends the safe command once more, then ends
 
  private:
   void run() noexcept;

@@ -8,16 +8,12 @@
 
 namespace hedgehog::device {
 
-/// Trivially copyable; written by the sensor thread (or io, when `imu.type` is `external`), read by
-/// control.
+/// Trivially copyable. The sensor thread (io if `imu.type` is `external`) writes, control reads.
 struct OrientationSample {
-  /// False: no sample yet.
-  bool present = false;
-  /// Device -> world of the sensor, before `orientation.recenter`.
-  model::Quaternion quaternion;
+  bool present = false;          // false: no sample yet
+  model::Quaternion quaternion;  // device -> world of the sensor, before `orientation.recenter`
   model::Vec3 rate_deg_s;
-  /// Tick of the measurement.
-  model::Tick stamp = 0;
+  model::Tick stamp = 0;  // of the measurement
 };
 
 }  // namespace hedgehog::device

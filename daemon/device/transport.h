@@ -10,8 +10,8 @@
 
 namespace hedgehog::device {
 
-/// Maximum number of packets read per tick: more than a socket buffers during a pause, so that no
-/// old telemetry remains, and a bound on the run time under a flood.
+/// Packets read per tick: more than a socket buffers during a pause, so that no old telemetry
+/// remains, and a bound on the run time under a flood.
 inline constexpr int kMaxPacketsPerTick = 512;
 
 /// Owned and used by the link thread only. Never waits.
@@ -22,19 +22,16 @@ class Transport {
   Transport& operator=(const Transport&) = delete;
   virtual ~Transport() = default;
 
-  /// Sends one frame. False: it could not be sent (full, or no board); the frame is dropped, the
-  /// next millisecond sends another.
+  /// False: not sent (full, or no board). The frame is dropped; the next millisecond has another.
   virtual bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept = 0;
 
-  /// The next received packet: its length, or 0 if there is none. Longer ones are truncated to the
-  /// buffer, so pass one larger than a frame to detect them.
+  /// Length of the next received packet; 0: none. Longer ones are truncated to the buffer, so pass
+  /// one larger than a frame to detect them.
   virtual std::size_t receive(std::span<std::uint8_t> packet) noexcept = 0;
 
-  /// False once the other end has closed permanently.
-  virtual bool open() const noexcept = 0;
+  virtual bool open() const noexcept = 0;  // false: the other end has closed permanently
 
-  /// True while no peer is connected, but one may connect.
-  virtual bool idle() const noexcept { return false; }
+  virtual bool idle() const noexcept { return false; }  // no peer, but one may connect
 };
 
 }  // namespace hedgehog::device

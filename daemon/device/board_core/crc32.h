@@ -8,7 +8,6 @@
 
 namespace hedgehog::board {
 
-/// Any thread; stateless.
-uint32_t crc32(const uint8_t* bytes, size_t length) noexcept;
+uint32_t crc32(const uint8_t* bytes, size_t length) noexcept;  // any thread
 
 }  // namespace hedgehog::board

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames between host and board: 64 bytes, little endian, the same code on both sides. Byte tables:
-// ../board-protocol.md.
+// Frames between host and board: 64 bytes, little endian. Byte tables: ../board-protocol.md.
 #pragma once
 
 #include <stddef.h>
@@ -10,10 +9,8 @@ namespace hedgehog::board {
 
 inline constexpr size_t kFrameSize = 64;
 inline constexpr uint8_t kFrameMagic = 0x48;
-/// Byte 1 of every frame; also the value of BoardTelemetry::protocol_version.
-inline constexpr uint8_t kProtocolVersion = 1;
-/// Minor version implemented here.
-inline constexpr uint8_t kProtocolMinor = 2;
+inline constexpr uint8_t kProtocolVersion = 1;  // byte 1; BoardTelemetry::protocol_version
+inline constexpr uint8_t kProtocolMinor = 2;    // implemented here
 inline constexpr int kWindings = 3;
 
 enum class FrameType : uint8_t {
@@ -27,7 +24,6 @@ enum class FrameType : uint8_t {
   kSimulatorTruth = 0xFE,  // simulated board only
 };
 
-/// Reason for rejecting a frame.
 enum class FrameError : uint8_t { kNone, kLength, kMagic, kCrc, kVersion, kType };
 
 struct FrameHeader {
@@ -38,12 +34,10 @@ struct FrameHeader {
 /// Host to board, every millisecond; the only frame that resets the dead-man.
 struct SetPointFrame {
   uint32_t sequence = 0;
-  /// Bridges awake. When false the duties are ignored.
-  bool enable = false;
+  bool enable = false;  // bridges awake; when false the duties are ignored
   /// 1/32767 of the supply, sign = direction. Applied until the next set-point.
   int16_t duty_q15[kWindings] = {};
-  /// Added to it only in the millisecond in which this frame arrived.
-  int16_t boost_q15[kWindings] = {};
+  int16_t boost_q15[kWindings] = {};  // added to it only in the millisecond of arrival
   uint8_t fan = 0;
 };
 
@@ -62,13 +56,12 @@ struct LimitsFrame {
 };
 
 /// Host to board, since 1.2: enter the boot loader, which accepts new firmware. Rejected by a board
-/// whose bridges are awake, or were within kBootLoaderMs.
+/// whose bridges were awake within kBootLoaderMs.
 struct BootLoaderFrame {
   static constexpr uint32_t kKey = 0x544F4F42;  // "BOOT"
 
   uint32_t sequence = 0;
-  /// Any other value is rejected.
-  uint32_t key = kKey;
+  uint32_t key = kKey;  // any other value is rejected
 };
 
 /// Host to simulated board only.
@@ -77,9 +70,7 @@ struct SimulatorFrame {
   int16_t ambient_cc = 2500;
   uint16_t faults = 0;
   uint8_t coil = 0;
-  /// Number of errors that belong to these settings, each in a separate frame; 0 ends the present
-  /// ones.
-  uint8_t errors = 0;
+  uint8_t errors = 0;  // number, each in a separate frame; 0 ends the present ones
 };
 
 /// Host to simulated board only: error `index` of `count`. Applied when all errors of a new
@@ -108,13 +99,11 @@ struct SimulatorTruthFrame {
 /// Board to host, every millisecond.
 struct TelemetryFrame {
   uint32_t sequence = 0;
-  /// Of the last accepted frame of any type, and of the last set-point.
-  uint32_t received_sequence = 0;
-  uint32_t set_point_sequence = 0;
+  uint32_t received_sequence = 0;   // of the last accepted frame of any type
+  uint32_t set_point_sequence = 0;  // of the last set-point
   uint32_t board_ms = 0;
   int16_t current_ma[kWindings] = {};
-  /// Duties applied at the bridges during the millisecond that ends now.
-  int16_t duty_q15[kWindings] = {};
+  int16_t duty_q15[kWindings] = {};  // at the bridges in the millisecond that ends now
   uint16_t supply_mv = 0;
   int16_t sensor_cc = 0;
   uint16_t fan_rpm = 0;
@@ -125,31 +114,21 @@ struct TelemetryFrame {
   uint8_t arm_count = 0;
   uint16_t faults = 0;
   uint8_t sensor_conversions = 0;
-  /// Since the last valid set-point, ms; 255 means 255 or more.
-  uint8_t set_point_age_ms = 255;
-  /// The limits in force, and the use of the I^2 t budgets: the highest of the windings, and the
-  /// whole device.
-  int16_t sensor_limit_cc = 0;
-  uint16_t current_limit_ma = 0;
-  uint16_t winding_heat_permille = 0;
-  uint16_t device_heat_permille = 0;
-  /// Number of rejected frames, mod 65536.
-  uint16_t refused = 0;
-  /// Since 1.2, 0..15; 0 from older boards.
-  uint8_t minor = 0;
+  uint8_t set_point_age_ms = 255;      // since the last valid one; 255: 255 or more
+  int16_t sensor_limit_cc = 0;         // in force
+  uint16_t current_limit_ma = 0;       // in force
+  uint16_t winding_heat_permille = 0;  // use of the I^2 t budget, highest of the windings
+  uint16_t device_heat_permille = 0;   // and of the whole device
+  uint16_t refused = 0;                // rejected frames, mod 65536
+  uint8_t minor = 0;                   // since 1.2, 0..15; 0 from older boards
   /// Since 1.1; all 0 from a board of 1.0. Bit k: `current_ma[k]` was measured.
   uint8_t currents_measured = 0;
-  /// Number of thermistors, 1..3.
-  uint8_t thermistors = 0;
-  /// Measured by amplifiers in the windings' leads, with sign, in every bridge state.
-  bool currents_in_line = false;
+  uint8_t thermistors = 0;        // 1..3
+  bool currents_in_line = false;  // by amplifiers in the windings' leads, with sign, always
   bool supply_current_measured = false;
-  /// Current drawn by the bridges.
-  uint16_t supply_ma = 0;
-  /// The thermistors after the first, one per frame in turn: its index (1, 2; 0: none) and its
-  /// reading.
-  uint8_t other_thermistor = 0;
-  int16_t other_cc = 0;
+  uint16_t supply_ma = 0;        // drawn by the bridges
+  uint8_t other_thermistor = 0;  // one after the first, in turn: its index, 1 or 2; 0: none
+  int16_t other_cc = 0;          // its reading
 };
 
 /// `TelemetryFrame::other_cc` when the line of that thermistor is at either rail.

@@ -13,44 +13,38 @@
 
 namespace hedgehog::device {
 
-/// Usage page in the upper half, usage in the lower.
-using HidUsage = std::uint32_t;
+using HidUsage = std::uint32_t;  // usage page in the upper half, usage in the lower
 
 /// One main item: `count` consecutive numbers of `bits` bits each.
 struct HidField {
   enum class Kind : std::uint8_t { kInput, kOutput, kFeature };
   Kind kind = Kind::kInput;
   std::uint8_t report_id = 0;
-  /// From the first byte after the report id.
-  std::uint32_t bit_offset = 0;
-  std::uint32_t bits = 0;   // 1..32
-  std::uint32_t count = 0;  // 1..kHidMaxCount
+  std::uint32_t bit_offset = 0;  // from the first byte after the report id
+  std::uint32_t bits = 0;        // 1..32
+  std::uint32_t count = 0;       // 1..kHidMaxCount
   std::int64_t logical_min = 0;
   std::int64_t logical_max = 0;
-  /// value = number * 10^exponent in `unit`.
-  int exponent = 0;
+  int exponent = 0;  // value = number * 10^exponent in `unit`
   std::uint32_t unit = 0;
   /// Variable: a usage for each number (the last one for all that follow). Array: the numbers are
   /// indices of the usages, `logical_min` being the first.
   bool variable = true;
   std::vector<HidUsage> usages;
-  /// Usages of the enclosing collections, from the outermost.
-  std::vector<HidUsage> collections;
+  std::vector<HidUsage> collections;  // usages of the enclosing collections, from the outermost
 };
 
 inline constexpr std::uint32_t kHidMaxCount = 4096;
 
 struct HidDescriptor {
   std::vector<HidField> fields;
-  /// Length of every report, padding included.
   struct Report {
     HidField::Kind kind = HidField::Kind::kInput;
     std::uint8_t id = 0;
-    std::uint32_t bits = 0;
+    std::uint32_t bits = 0;  // padding included
   };
   std::vector<Report> reports;
-  /// False: reports have no id byte (hidapi then puts a 0 before feature reports).
-  bool has_ids = false;
+  bool has_ids = false;  // false: no id byte (hidapi then puts a 0 before feature reports)
 
   /// Bytes of a report without its id; 0: no such report.
   std::size_t report_bytes(HidField::Kind kind, std::uint8_t report_id) const noexcept;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Orientation from the reports of a HID sensor (usage page 0x20: Device Orientation, Relative
-// Orientation), with the quaternion at the position given by the descriptor. Source: HUTRR39 "HID
-// Sensor Usages"; the names of Linux' hid-sensor-ids.h. Pure.
+// Orientation). Source: HUTRR39 "HID Sensor Usages"; names of Linux' hid-sensor-ids.h. Pure.
 #pragma once
 
 #include <array>
@@ -17,10 +16,8 @@
 namespace hedgehog::device {
 
 struct HidOrientationSample {
-  /// REP-103 -> world with z up: x is the direction of the top edge of the sensor's device.
-  model::Quaternion quaternion;
-  /// Missing if the report contains none.
-  std::optional<model::Vec3> rate_deg_s;
+  model::Quaternion quaternion;  // REP-103 -> world, z up; x points to the device's top edge
+  std::optional<model::Vec3> rate_deg_s;  // missing if the report contains none
 };
 
 /// One orientation sensor of a device. Immutable; any thread.

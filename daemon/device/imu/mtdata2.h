@@ -29,8 +29,7 @@ enum class MtDataId : std::uint16_t {
 /// One MTData2 message. Fields that are absent, or have an invalid length or number, are missing.
 struct MtSample {
   std::optional<std::uint16_t> packet_counter;
-  /// Ticks of 0.1 ms; wraps.
-  std::optional<std::uint32_t> sample_time;
+  std::optional<std::uint32_t> sample_time;  // ticks of 0.1 ms; wraps
   /// Sensor -> world with z up (ENU or NWU; NED is converted). Unit length.
   std::optional<model::Quaternion> quaternion;
   std::optional<model::Vec3> euler_deg;  // roll, pitch, yaw
@@ -44,8 +43,7 @@ std::optional<MtSample> decode_mtdata2(std::span<const Byte> payload);
 
 struct MtOutput {
   std::uint16_t id = 0;
-  /// Hz; 0xFFFF: with every packet.
-  std::uint16_t rate_hz = 0;
+  std::uint16_t rate_hz = 0;  // 0xFFFF: with every packet
   friend bool operator==(const MtOutput&, const MtOutput&) = default;
 };
 

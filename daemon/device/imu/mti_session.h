@@ -17,16 +17,12 @@ namespace hedgehog::device {
 /// The reader's thread.
 class MtiSession {
  public:
-  /// Unanswered requests are repeated; silence in measurement restarts the session.
-  static constexpr double kRepeatS = 0.2;
-  static constexpr double kSilenceS = 1.0;
+  static constexpr double kRepeatS = 0.2;   // of unanswered requests
+  static constexpr double kSilenceS = 1.0;  // in measurement: restarts the session
 
-  /// The bytes to send now; empty: none. Call it at least every 100 ms.
-  std::vector<Byte> due(double now_s);
-  /// Processes received bytes.
+  std::vector<Byte> due(double now_s);  // to send now; call it at least every 100 ms
   void receive(std::span<const Byte> bytes, double now_s);
-  /// Received samples, oldest first.
-  std::optional<MtSample> next();
+  std::optional<MtSample> next();  // received samples, oldest first
 
   /// In measurement, with the requested outputs.
   bool measuring() const noexcept { return step_ == Step::kMeasuring; }
@@ -41,12 +37,10 @@ class MtiSession {
   Step step_ = Step::kConfigure;
   XbusParser parser_;
   std::deque<MtSample> samples_;
-  /// Time of the request of this step; nullopt: not yet sent.
-  std::optional<double> requested_s_;
+  std::optional<double> requested_s_;  // of this step; nullopt: not yet sent
   double received_s_ = 0.0;
   bool woken_ = false;
-  /// Number of rejected output rates.
-  std::size_t refused_ = 0;
+  std::size_t refused_ = 0;  // number of rejected output rates
 };
 
 }  // namespace hedgehog::device

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Gyroscope and accelerometer of Sony's DualSense and DualShock 4, by USB and by Bluetooth, with
-// the calibration stored in each pad. Source: byte positions and use of the calibration as in
-// Linux' hid-playstation.c (reference: hardware.md section 5.2): the gyroscope's factory bias is
-// subtracted from the maxima that were measured with it, and is not contained in the reports. Pure;
+// the calibration stored in each pad. Source: Linux' hid-playstation.c (reference: hardware.md
+// section 5.2): the factory bias is in the maxima of the calibration, but not in the reports. Pure;
 // any thread.
 #pragma once
 
@@ -20,15 +19,13 @@ namespace hedgehog::device {
 enum class SonyPad : std::uint8_t { kDualSense, kDualShock4 };
 enum class SonyBus : std::uint8_t { kUsb, kBluetooth };
 
-/// The feature report with the calibration: its id, and its length including the id.
-struct SonyCalibrationReport {
+struct SonyCalibrationReport {  // a feature report
   std::uint8_t id = 0;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;  // including the id
 };
 SonyCalibrationReport calibration_report(SonyPad pad, SonyBus bus) noexcept;
 
-/// raw -> physical of each axis, (raw - bias) * scale, in the pad's order x (right), y (up out of
-/// its face), z (to the player).
+/// (raw - bias) * scale, in the pad's order x (right), y (up out of its face), z (to the player).
 struct SonyCalibration {
   struct Axis {
     double bias = 0.0;
@@ -37,8 +34,7 @@ struct SonyCalibration {
   std::array<Axis, 3> gyro;   // deg/s
   std::array<Axis, 3> accel;  // g
 
-  /// The ranges of the data sheet: +-2048 deg/s, +-4 g.
-  static SonyCalibration nominal() noexcept;
+  static SonyCalibration nominal() noexcept;  // data sheet: +-2048 deg/s, +-4 g
 };
 
 /// nullopt for a wrong id, length or (Bluetooth) CRC. An axis with implausible numbers (a copy of a
@@ -47,12 +43,9 @@ std::optional<SonyCalibration> decode_calibration(SonyPad pad, SonyBus bus,
                                                   std::span<const Byte> report) noexcept;
 
 struct SonySample {
-  /// REP-103: x away from the player, y to the left, z up out of the pad's face.
-  model::Vec3 rate_deg_s;
-  /// Specific force, g: (0, 0, 1) when lying flat.
-  model::Vec3 accel_g;
-  /// The pad's own clock, microseconds, mod `sony_clock_span_us(pad)`.
-  double clock_us = 0.0;
+  model::Vec3 rate_deg_s;  // REP-103: x away from the player, y left, z up out of the pad's face
+  model::Vec3 accel_g;     // specific force: (0, 0, 1) when lying flat
+  double clock_us = 0.0;   // the pad's own clock, mod `sony_clock_span_us(pad)`
 };
 
 /// nullopt for another report: wrong id, length or (Bluetooth) CRC. Without a CRC (USB) any bytes
@@ -60,9 +53,8 @@ struct SonySample {
 std::optional<SonySample> decode_sony(SonyPad pad, std::span<const Byte> report,
                                       const SonyCalibration& calibration) noexcept;
 
-/// Period of the pad's clock, microseconds.
-double sony_clock_span_us(SonyPad pad) noexcept;
-/// Time between two readings of the pad's clock, s.
+double sony_clock_span_us(SonyPad pad) noexcept;  // period of the pad's clock
+/// Time between two readings of that clock.
 double sony_elapsed_s(SonyPad pad, double before_us, double after_us) noexcept;
 
 }  // namespace hedgehog::device

@@ -32,8 +32,7 @@ enum class XbusId : std::uint8_t {
 };
 
 struct XbusMessage {
-  /// Any number, not only the enumerators.
-  XbusId id = XbusId::kError;
+  XbusId id = XbusId::kError;  // any number, not only the enumerators
   std::vector<Byte> payload;
   friend bool operator==(const XbusMessage&, const XbusMessage&) = default;
 };
@@ -49,10 +48,8 @@ std::vector<Byte> encode_xbus(XbusId id, std::span<const Byte> payload = {});
 class XbusParser {
  public:
   void feed(std::span<const Byte> bytes);
-  /// The next complete message, or nullopt until more bytes are fed.
-  std::optional<XbusMessage> next();
-  /// Bytes so far that were not part of a message.
-  std::size_t skipped() const noexcept { return skipped_; }
+  std::optional<XbusMessage> next();                         // nullopt until more bytes are fed
+  std::size_t skipped() const noexcept { return skipped_; }  // bytes outside of messages
 
  private:
   std::vector<Byte> waiting_;

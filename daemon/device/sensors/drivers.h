@@ -27,10 +27,8 @@ struct SensorSinks {
 
 /// A device is on USB or HID: one of the `matches_` is set, with the `make_` of the same name.
 struct SensorDriver {
-  /// Name in the configuration and in `device.list`: "dualsense".
-  std::string_view type;
-  /// "DualSense pad".
-  std::string_view words;
+  std::string_view type;   // in the configuration and in `device.list`: "dualsense"
+  std::string_view words;  // "DualSense pad"
   SensorJob job = SensorJob::kOrientation;
   bool (*matches_hid)(const HidDevice& device) = nullptr;
   bool (*matches_usb)(const UsbDevice& device) = nullptr;
@@ -45,14 +43,12 @@ extern const SensorDriver kDualShock4Driver;
 extern const SensorDriver kHidSensorDriver;
 extern const SensorDriver kMtiDriver;
 extern const SensorDriver kTemperDriver;
-/// Xsens radio stations and converters.
-extern const SensorDriver kClosedXsensDriver;
+extern const SensorDriver kClosedXsensDriver;  // Xsens radio stations and converters
 
 /// All drivers. If two match a device, the later one is used.
 std::span<const SensorDriver* const> sensor_drivers() noexcept;
 
-/// nullptr: not a sensor.
-const SensorDriver* driver_of(const HidDevice& device);
+const SensorDriver* driver_of(const HidDevice& device);  // nullptr: not a sensor
 const SensorDriver* driver_of(const UsbDevice& device);
 
 /// The device of that kind, or of that kind and serial number: an index into `devices`, or a

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interface between sensors and the operating system. The sensors above it are tested with fake
-// ports; the implementations below are thin wrappers of hidapi and libusb. Used by one thread, the
-// sensor's.
+// Interface between sensors and the operating system: thin wrappers of hidapi and libusb, or fake
+// ports of tests. Used by one thread, the sensor's.
 #pragma once
 
 #include <chrono>
@@ -54,8 +53,7 @@ class BytePort {
 struct OpenedHid {
   std::unique_ptr<HidPort> port;
   std::string failure;
-  /// Name for display: "DualSense Wireless Controller (054c:0ce6)".
-  std::string name;
+  std::string name;  // for display: "DualSense Wireless Controller (054c:0ce6)"
   std::vector<Byte> descriptor;
   bool bluetooth = false;
 };

@@ -18,10 +18,8 @@ namespace hedgehog::device {
 /// For `device.list`.
 struct SensorState {
   bool open = false;
-  /// Name of the opened device, or the reason for which none is open.
-  std::string what;
-  /// Number of times it was opened.
-  unsigned opened = 0;
+  std::string what;     // name of the opened device, or the reason for which none is open
+  unsigned opened = 0;  // number of times
 };
 
 /// Construct and destroy from one thread; `state` from any.
@@ -43,8 +41,7 @@ class SensorThread {
  private:
   void run();
   void note(bool open, const std::string& what);
-  /// False: the thread has to end.
-  bool pause(std::chrono::milliseconds time);
+  bool pause(std::chrono::milliseconds time);  // false: the thread has to end
 
   std::unique_ptr<Sensor> sensor_;
   mutable std::mutex mutex_;

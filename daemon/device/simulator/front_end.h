@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Analogue electronics between the simulated ball and its microcontroller: converts the true values
-// to the converter readings that board_core/port.h gets on a real board. Figures and their sources:
-// README.md beside this file.
+// Analogue electronics of the simulated board: converts true values to the converter readings that
+// board_core/port.h gets on a real board. Figures, sources: README.md beside this file.
 #pragma once
 
 #include <array>
@@ -23,19 +22,16 @@ enum class FrontEndKind : std::uint8_t {
   kIdeal,     // no electronics: the rules of the board get the true values, to 1 mA
 };
 
-/// "in_line". nullopt: no such kind.
-std::string_view name(FrontEndKind kind) noexcept;
-std::optional<FrontEndKind> front_end_kind(std::string_view name) noexcept;
+std::string_view name(FrontEndKind kind) noexcept;                           // "in_line"
+std::optional<FrontEndKind> front_end_kind(std::string_view name) noexcept;  // nullopt: unknown
 
 struct FrontEndParameters;
 
 /// Choice of the simulated board. Trivially copyable.
 struct FrontEndChoice {
   FrontEndKind kind = FrontEndKind::kInLine;
-  /// 1 or 3; 0: three with kInLine, one with the others.
-  int thermistors = 0;
-  /// Seed for parts drawn uniformly from their tolerances; 0: typical parts.
-  std::uint64_t seed = 0;
+  int thermistors = 0;     // 1 or 3; 0: three with kInLine, one with the others
+  std::uint64_t seed = 0;  // for parts drawn uniformly from their tolerances; 0: typical parts
 
   FrontEndParameters parameters() const noexcept;
 };
@@ -43,8 +39,7 @@ struct FrontEndChoice {
 /// One board's electronics. Trivially copyable.
 struct FrontEndParameters {
   FrontEndKind kind = FrontEndKind::kInLine;
-  /// The electronics as assumed by the firmware.
-  board::Wiring wiring = board::reference_wiring();
+  board::Wiring wiring = board::reference_wiring();  // as assumed by the firmware
 
   /// Deviations from that: each reading is true x gain + offset, A and K.
   std::array<double, model::kCoils> current_gain{1.0, 1.0, 1.0};
@@ -58,41 +53,32 @@ struct FrontEndParameters {
   double current_noise_a = 0.0;
   double shunt_noise_a = 0.0;
   double supply_noise_v = 0.0;
-  /// The currents are converted sequentially, this long before the end of the millisecond.
-  std::array<double, model::kCoils> converted_before_s{};
+  std::array<double, model::kCoils> converted_before_s{};  // before the end of the millisecond
 
-  /// The supply: its resistance including the leads, and the amplitude of its ripple at 100 Hz.
-  double source_ohm = 0.0;
-  double ripple_v = 0.0;
+  double source_ohm = 0.0;  // of the supply and its leads
+  double ripple_v = 0.0;    // amplitude at 100 Hz
 };
 
 /// Analogue inputs of the electronics at the end of a millisecond. Trivially copyable.
 struct Analogue {
-  /// Winding currents at the start and end of the millisecond, A.
-  model::Vec3 before_a;
-  model::Vec3 after_a;
-  /// True duty of the bridges, -1..1; 0 is a brake.
-  model::Vec3 duty;
+  model::Vec3 before_a;  // winding currents at the start of the millisecond
+  model::Vec3 after_a;   // and at its end
+  model::Vec3 duty;      // true duty of the bridges, -1..1; 0 is a brake
   bool awake = false;
   double supply_v = 12.0;
-  /// Temperatures of the thermistors, C, on each winding whether fitted or not.
-  std::array<double, model::kCoils> thermistor_c{25.0, 25.0, 25.0};
-  /// Standard deviation of one reading, K.
-  double thermistor_noise_k = 0.0;
+  std::array<double, model::kCoils> thermistor_c{25.0, 25.0, 25.0};  // fitted or not
+  double thermistor_noise_k = 0.0;  // standard deviation of one reading
   double fan_rpm = 0.0;
 };
 
-/// Real-time safe and trivially copyable; no thread of its own. Equal parameters, seeds and inputs
-/// give equal readings.
+/// Real-time safe, trivially copyable. Equal parameters, seeds and inputs give equal readings.
 class FrontEnd {
  public:
   explicit FrontEnd(const FrontEndParameters& parameters, std::uint64_t seed = 1) noexcept
       : parameters_(parameters), noise_(seed) {}
 
-  /// Converts currents, supply and tach to converter and timer values.
-  void convert(const Analogue& analogue, board::RawInputs& raw) noexcept;
-  /// Reading of the thermistor on `winding`, with its offset and noise, C; and the converter's
-  /// value for it.
+  void convert(const Analogue& analogue, board::RawInputs& raw) noexcept;  // without thermistors
+  /// Reading on `winding` with its offset and noise, C; and the converter's value for it.
   double thermistor_c(const Analogue& analogue, int winding) noexcept;
   std::uint16_t ntc_adc(double celsius) const noexcept;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Link and a simulated board in another process, in lock-step: `hedgehogd --simulate --speed N`
-// with simulator.process. The link's steps define the board's time, independent of the execution
-// times.
+// Lock-step of the link and a simulated board in another process: `hedgehogd --simulate --speed N`
+// with simulator.process. The link's steps define the board's time.
 #pragma once
 
 #include <memory>
@@ -14,14 +13,12 @@
 
 namespace hedgehog::device {
 
-/// One thread. A step sends the frames of the link, then waits for the board's truth frame, which
-/// ends each millisecond of a lock-step board, and processes the frames before it. A board that
-/// once did not respond in time has hung: its socket is closed, and the following steps do not
-/// wait.
+/// One thread. A step sends the frames of the link and processes those of the board until its truth
+/// frame, which ends each millisecond. A board that once did not respond in time has hung: its
+/// socket is closed, and the following steps do not wait.
 class ProcessLockStep final : public SteppedBoard {
  public:
-  /// Timeout of a response; the first one includes the start of the board's process.
-  static constexpr int kMaxWaitMs = 20'000;
+  static constexpr int kMaxWaitMs = 20'000;  // the first response includes the start of the process
 
   /// `port` must outlive it.
   ProcessLockStep(LinkPort& port, std::unique_ptr<SocketTransport> socket,
@@ -32,8 +29,7 @@ class ProcessLockStep final : public SteppedBoard {
 
  private:
   void exchange(const LinkFrames& frames) noexcept;
-  /// False: the board did not respond in time.
-  bool receive_until_truth() noexcept;
+  bool receive_until_truth() noexcept;  // false: the board did not respond in time
 
   LinkPort& port_;
   std::unique_ptr<SocketTransport> socket_;  // null: the board has hung

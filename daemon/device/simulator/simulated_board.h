@@ -20,9 +20,8 @@ namespace hedgehog::device {
 struct SimulatedBoardOptions {
   model::PlantParameters plant = with_noise();
   FrontEndChoice front_end;
-  /// Ambient temperature, and the ball's temperature at the start (windings, core and thermistor).
   double ambient_c = 25.0;
-  double start_c = 25.0;
+  double start_c = 25.0;  // windings, core and thermistor at the start
 
   /// The ball that matches its device file, its thermistor with 0.15 K of noise.
   static model::PlantParameters with_noise() noexcept {
@@ -35,10 +34,8 @@ struct SimulatedBoardOptions {
 /// Real-time safe, no clock, no thread of its own: `step` is one millisecond.
 class SimulatedBoard {
  public:
-  /// Interval of the thermistor conversions and of the truth frames, ms.
-  static constexpr int kConversionMs = 10;
-  /// Time in the boot loader without any response; then it starts like a newly flashed board.
-  static constexpr int kBootLoaderMs = 3000;
+  static constexpr int kConversionMs = 10;    // interval of thermistor conversions and truth frames
+  static constexpr int kBootLoaderMs = 3000;  // without a response; then as newly flashed
 
   SimulatedBoard() noexcept : SimulatedBoard(SimulatedBoardOptions{}) {}
   explicit SimulatedBoard(const SimulatedBoardOptions& options) noexcept;
@@ -47,8 +44,7 @@ class SimulatedBoard {
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
   /// Measures, applies the rules, and advances the plant by a millisecond with their outputs. The
-  /// telemetry contains the measurements from the start of it; none while kSimSilent or in the boot
-  /// loader.
+  /// telemetry has the measurements before that; none while kSimSilent or in the boot loader.
   std::optional<Frame> step() noexcept;
   /// True state of the plant, after every kConversionMs steps.
   std::optional<Frame> truth_frame() const noexcept;
@@ -56,12 +52,10 @@ class SimulatedBoard {
   Frame truth(std::uint32_t now_ms) const noexcept;
 
   /// Instead of `step`, for a board core that runs elsewhere: advances the plant by a millisecond
-  /// with `outputs`, and returns the converter readings after it. Not for a front end without
-  /// electronics.
+  /// with `outputs`, returns the readings after it. Not for a front end without electronics.
   const board::RawInputs& step_electronics(const board::BoardOutputs& outputs) noexcept;
 
-  /// The true state, for tests.
-  const model::Plant& plant() const noexcept { return plant_; }
+  const model::Plant& plant() const noexcept { return plant_; }  // for tests
   model::Plant& plant() noexcept { return plant_; }
   const board::BoardCore& core() const noexcept { return core_; }
   const SimulatorSettings& settings() const noexcept { return settings_; }
@@ -76,11 +70,9 @@ class SimulatedBoard {
   Analogue analogue() const noexcept;
   board::BoardInputs measure_exactly(const Analogue& analogue) noexcept;
   void convert_thermistors(const Analogue& analogue) noexcept;
-  /// Sets the reading of `thermistor`, as temperature and as the converter's counts.
-  void show(int thermistor, double celsius) noexcept;
+  void show(int thermistor, double celsius) noexcept;  // sets temperature and converter counts
   void wire_thermistors() noexcept;
-  /// The thermistor affected by the thermistor faults, and the winding of a thermistor.
-  int broken_thermistor() const noexcept;
+  int broken_thermistor() const noexcept;  // affected by the thermistor faults
   int winding_under(int thermistor) const noexcept;
   void act_errors() noexcept;
   void step_plant(const board::BoardOutputs& outputs) noexcept;
@@ -99,10 +91,9 @@ class SimulatedBoard {
   FrontEnd front_end_;
   board::RawInputs raw_;
   double nominal_supply_v_ = 12.0;
-  /// Bridge outputs of the last millisecond, and the currents at its start.
-  model::Vec3 driven_duty_;
+  model::Vec3 driven_duty_;  // of the last millisecond
   bool driven_awake_ = false;
-  model::Vec3 before_a_;
+  model::Vec3 before_a_;  // currents at its start
   double offset_k_ = 0.0;
   int until_conversion_ = 0;
   int boot_loader_ms_ = 0;

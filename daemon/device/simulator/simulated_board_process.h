@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program hedgehog-simboard as a child of this process, in a separate process group: signals to
-// the daemon's group do not reach it.
+// hedgehog-simboard as a child process in its own group: signals to the daemon's do not reach it.
 #pragma once
 
 #include <memory>
@@ -13,12 +12,9 @@ namespace hedgehog::device {
 
 struct SimulatedBoardProcessOptions {
   SimulatedBoardOptions board;
-  /// A millisecond for each set-point (process_lock_step.h), instead of a clock of its own.
-  bool in_step = false;
-  /// The program; empty: hedgehog-simboard in the directory of this program.
-  std::string program;
-  /// File for its trace (simulated_board_runner.h); empty: none.
-  std::string trace;
+  bool in_step = false;  // a millisecond per set-point (process_lock_step.h), without a clock
+  std::string program;   // empty: hedgehog-simboard in the directory of this program
+  std::string trace;     // file for its trace (simulated_board_trace.h); empty: none
 };
 
 /// Owns the child. Construct and destroy it from one thread.

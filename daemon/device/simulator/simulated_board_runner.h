@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a simulated board on its own clock with a transport, as the process hedgehog-simboard, so
-// that its dead-man is independent of the daemon.
+// A simulated board on its own clock, as the process hedgehog-simboard: its dead-man is independent
+// of the daemon.
 #pragma once
 
 #include <atomic>
@@ -18,20 +18,18 @@ namespace hedgehog::device {
 /// One thread: the one that calls `run`.
 class SimulatedBoardRunner {
  public:
-  /// `trace`, if not null, gets the lines of simulated_board_trace.h, and "closed" when the host
-  /// disconnects.
+  /// `trace`, if not null: the lines of simulated_board_trace.h, and "closed" at the host's end.
   SimulatedBoardRunner(const SimulatedBoardOptions& options, std::unique_ptr<Transport> transport,
                        std::FILE* trace = nullptr) noexcept;
 
-  /// Runs until the host has disconnected and the board is safe and without current (at most
-  /// kShutdownMs later), or `stop` becomes true.
+  /// Until `stop`, or until the host has disconnected and the board is safe and without current.
   void run(const std::atomic<bool>& stop) noexcept;
 
   /// Runs a millisecond for each set-point of a lock-step host (process_lock_step.h) until it
   /// disconnects; call `run` afterwards. `socket` is the runner's transport.
   void run_in_step(const SocketTransport& socket) noexcept;
 
-  static constexpr int kShutdownMs = 5000;
+  static constexpr int kShutdownMs = 5000;  // at most, after the host has disconnected
 
  private:
   void tick() noexcept;

@@ -13,19 +13,15 @@
 
 namespace hedgehog::device {
 
-/// "latched".
-const char* words(board::Mode mode) noexcept;
+const char* words(board::Mode mode) noexcept;  // "latched"
 
 /// The board's thread.
 class SimulatedBoardTrace {
  public:
-  /// Below this the windings count as without current, A.
-  static constexpr double kZeroA = 0.1;
+  static constexpr double kZeroA = 0.1;  // below it the windings count as without current
 
-  /// Null: no trace.
-  explicit SimulatedBoardTrace(std::FILE* file) noexcept : file_(file) {}
+  explicit SimulatedBoardTrace(std::FILE* file) noexcept : file_(file) {}  // null: no trace
 
-  /// Called after each step of the board.
   void after_step(const SimulatedBoard& board) noexcept;
   void note(const SimulatedBoard& board, const char* event) noexcept;
 

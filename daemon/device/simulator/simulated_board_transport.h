@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simulated board within the host's own thread: a transport whose board is computed on access,
-// which saves a thread that wakes once a millisecond.
+// The simulated board within the host's own thread: a transport whose board is computed on access.
 #pragma once
 
 #include <array>
@@ -17,8 +16,7 @@ namespace hedgehog::device {
 /// process (simulated_board_process.h).
 class SimulatedBoardTransport final : public Transport {
  public:
-  /// CLOCK_MONOTONIC or a test's clock, ns.
-  using Clock = std::int64_t (*)() noexcept;
+  using Clock = std::int64_t (*)() noexcept;  // CLOCK_MONOTONIC or a test's clock, ns
 
   explicit SimulatedBoardTransport(const SimulatedBoardOptions& options,
                                    Clock now_ns = monotonic_ns) noexcept;
@@ -29,8 +27,7 @@ class SimulatedBoardTransport final : public Transport {
   std::size_t receive(std::span<std::uint8_t> packet) noexcept override;
   bool open() const noexcept override { return true; }
 
-  /// For tests.
-  const SimulatedBoard& board() const noexcept { return board_; }
+  const SimulatedBoard& board() const noexcept { return board_; }  // for tests
 
  private:
   static constexpr std::int64_t kMaxSteps = TickClock::kCatchUp + 1;

@@ -19,8 +19,7 @@ enum SimFault : std::uint16_t {
   kSimSensorJump = 1u << 3,    // +15 K at once
   kSimSensorStale = 1u << 4,   // telemetry continues, the sensor field is marked as not converted
   kSimSensorOffset = 1u << 5,  // drifts by -0.5 K/s (a thermistor that comes loose)
-  kSimStuckBridge = 1u << 6,   // winding `coil` is driven at 10 % whatever is commanded, until the
-                               // supply switch opens
+  kSimStuckBridge = 1u << 6,   // winding `coil` is driven at 10 % until the supply switch opens
   kSimBridgeFault = 1u << 7,   // FLT line of winding `coil`
   kSimOpenWinding = 1u << 8,   // winding `coil` carries no current
   kSimFanStopped = 1u << 9,
@@ -33,8 +32,7 @@ enum SimFault : std::uint16_t {
 struct SimulatorSettings {
   double ambient_c = 25.0;
   std::uint16_t faults = 0;
-  /// The winding affected by faults of one winding, 0..2.
-  std::uint8_t coil = 0;
+  std::uint8_t coil = 0;  // affected by faults of one winding, 0..2
   SimulatorErrorList errors;
   friend constexpr bool operator==(const SimulatorSettings&,
                                    const SimulatorSettings&) noexcept = default;

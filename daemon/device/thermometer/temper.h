@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TEMPer thermometers: USB sticks with 8-byte HID reports. Source: the queries and layouts
-// published with the open tool "temper" (urwen, MIT); reference: hardware.md section 6. Pure; any
-// thread.
+// TEMPer thermometers: USB sticks with 8-byte HID reports. Source: the open tool "temper" (urwen,
+// MIT); reference: hardware.md section 6. Pure; any thread.
 #pragma once
 
 #include <array>
@@ -27,18 +26,14 @@ inline constexpr TemperReport kTemperAskTemperature{0x01, 0x80, 0x33, 0x01, 0, 0
 struct TemperModel {
   std::string firmware;
   double divisor = 100.0;
-  /// Byte of the probe on a lead, counted over all reports of a response; 0: no probe.
-  std::size_t external_at = 0;
+  std::size_t external_at = 0;  // byte of the probe on a lead, over all reports; 0: no probe
 };
 
-/// The printable characters at the front of the response.
-std::string temper_firmware(std::span<const Byte> answer);
-/// nullopt for a firmware with an unknown layout, whose numbers would be guesses.
-std::optional<TemperModel> temper_model(std::string_view firmware);
+std::string temper_firmware(std::span<const Byte> answer);  // the leading printable characters
+std::optional<TemperModel> temper_model(std::string_view firmware);  // nullopt: unknown layout
 
 struct TemperReading {
-  /// Missing: no sensor, or a number outside -40..125 C.
-  std::optional<double> internal_c;
+  std::optional<double> internal_c;  // missing: no sensor, or outside -40..125 C
   std::optional<double> external_c;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds, opens, recovers and closes the board, and lends its transfers to the link thread in
-// between: contains every blocking operation, so that the link never blocks.
+// Finds, opens, recovers and closes the board, and lends its transfers to the link thread: contains
+// every blocking operation, so that the link never blocks.
 #pragma once
 
 #include <atomic>
@@ -19,38 +19,29 @@ namespace hedgehog::device {
 
 /// The board as a USB device.
 struct BoardUsbInfo {
-  /// It is open, with this protocol version.
-  bool open = false;
-  /// A device with its ids is connected, used or not.
-  bool seen = false;
-  /// Name of the open board, or the reason for which none is open.
-  std::string what;
-  /// Address of the open board.
-  std::optional<UsbPlace> place;
-  /// From the descriptors of the open board; nullopt: not present.
-  std::optional<std::string> serial;
+  bool open = false;              // with this protocol version
+  bool seen = false;              // a device with its ids is connected, used or not
+  std::string what;               // name of the open board, or the reason for which none is open
+  std::optional<UsbPlace> place;  // of the open board
+  std::optional<std::string> serial;  // from its descriptors
   std::optional<std::string> firmware;
-  /// Number of times it was opened, closed, and recovered after a stall.
-  std::uint64_t opened = 0;
+  std::uint64_t opened = 0;  // number of times
   std::uint64_t closed = 0;
-  std::uint64_t recovered = 0;
+  std::uint64_t recovered = 0;  // from a stall
 };
 
-/// One object, two threads. The exchange belongs to the finder or the link in turns, and only its
-/// present owner uses it. The link returns it on an error.
+/// One object, two threads. The exchange belongs to finder and link in turns; only its present
+/// owner uses it. The link returns it on an error.
 class BoardFinder {
  public:
   using Milliseconds = std::chrono::milliseconds;
-  /// Interval of checks of an open board.
-  static constexpr Milliseconds kCheckPeriod{20};
-  /// Interval of attempts to find a board: the first pause doubles up to the longest. The interval
-  /// is longer for a board that cannot be opened, or fails right after.
+  static constexpr Milliseconds kCheckPeriod{20};  // interval of the checks of an open board
+  /// Pauses between attempts to find a board, doubling; longer if it cannot be opened or fails.
   static constexpr Milliseconds kFirstPause{250};
   static constexpr Milliseconds kLongestPause{1000};
   static constexpr Milliseconds kLongestPauseAfterFailure{8000};  // not after unplugging
-  /// An open board that is silent for this long is closed and opened again.
-  static constexpr Milliseconds kSilence{2000};
-  /// Reopened after more stalls than this in a row, each within 10 s of the previous one.
+  static constexpr Milliseconds kSilence{2000};  // then an open board is closed and opened again
+  /// In a row, each within 10 s of the previous one; after more the board is reopened.
   static constexpr int kMaxStalls = 5;
 
   BoardFinder(UsbBus& bus, BoardIds wanted) : bus_(bus), board_ids_(std::move(wanted)) {}
@@ -58,10 +49,8 @@ class BoardFinder {
   /// The finder's thread: does the work due at `now`, by a monotonic clock. Returns the time within
   /// which it has to be called again. May wait briefly for the device.
   Milliseconds step(Milliseconds now);
-  /// Closes the board. REQUIRES: the link no longer uses it.
-  void close();
-  /// The finder's thread.
-  const BoardUsbInfo& usb_info() const noexcept { return usb_info_; }
+  void close();  // REQUIRES: the link no longer uses the board
+  const BoardUsbInfo& usb_info() const noexcept { return usb_info_; }  // the finder's thread
 
   /// The link's thread; never waits:
   bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
@@ -76,7 +65,6 @@ class BoardFinder {
   void on_returned(Milliseconds now);
   void hand_to_link(Milliseconds now) noexcept;
   void close_failed(const std::string& why, Milliseconds longest, Milliseconds now);
-  /// Clears the information on an open board.
   void clear_board();
   void fail(const std::string& why, Milliseconds longest, Milliseconds now);
   void check_version(std::span<const std::uint8_t> packet) noexcept;
@@ -97,8 +85,7 @@ class BoardFinder {
   std::atomic<Turn> turn_{Turn::kFinder};
   std::atomic<bool> return_requested_{false};
   std::atomic<std::uint32_t> packets_{0};
-  /// Of frames in another protocol version; 0: none.
-  std::atomic<std::uint8_t> foreign_version_{0};
+  std::atomic<std::uint8_t> foreign_version_{0};  // of received frames; 0: none
 };
 
 }  // namespace hedgehog::device

@@ -8,8 +8,7 @@
 
 namespace hedgehog::device {
 
-/// Lists by /sys, opens by libusb, each time with its own context (see usb_handle.h). Any thread,
-/// one at a time.
+/// Lists by /sys, opens by libusb, each with its own context (usb_handle.h). One thread at a time.
 std::unique_ptr<UsbBus> make_libusb_bus();
 
 }  // namespace hedgehog::device

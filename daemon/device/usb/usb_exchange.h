@@ -15,26 +15,22 @@
 
 namespace hedgehog::device {
 
-/// Error that stops an exchange.
-enum class UsbFault : std::uint8_t { kNone, kStalled, kGone, kFailed };
+enum class UsbFault : std::uint8_t { kNone, kStalled, kGone, kFailed };  // stops an exchange
 
-/// Used by one thread at a time. `send` and `receive` never wait and allocate nothing (libusb
-/// itself allocates a few bytes for each transfer that it submits); the others are not for the link
-/// thread.
+/// One thread at a time. `send` and `receive` never wait and allocate nothing (libusb: a few bytes
+/// per transfer); the others are not for the link thread.
 class UsbExchange {
  public:
   explicit UsbExchange(std::unique_ptr<UsbPort> port) : port_(std::move(port)) {}
 
-  /// Starts reading.
-  void start() noexcept;
+  void start() noexcept;  // starts reading
 
   /// False: every transfer is pending, or after an error.
   bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
-  /// The next packet, in the order of arrival: its length, 0 if there is none. An empty packet is
-  /// skipped, a longer one is truncated to `packet`.
+  /// The next packet in the order of arrival: its length, 0: none. Skips empty ones, truncates
+  /// longer ones to `packet`.
   std::size_t receive(std::span<std::uint8_t> packet) noexcept;
-  /// The first error since `start`.
-  UsbFault fault() const noexcept { return fault_; }
+  UsbFault fault() const noexcept { return fault_; }  // the first since `start`
 
   /// Waits for the transfer of sent frames, at most `timeout`.
   void flush(std::chrono::milliseconds timeout) noexcept;
@@ -61,8 +57,7 @@ class UsbExchange {
 
   std::unique_ptr<UsbPort> port_;
   std::array<bool, kSlots> submitted_{};
-  /// Read packets not yet returned: at most one per reading slot.
-  std::array<Packet, kReadSlots> packets_{};
+  std::array<Packet, kReadSlots> packets_{};  // read and not yet returned: at most one per slot
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   UsbFault fault_ = UsbFault::kNone;

@@ -19,8 +19,7 @@ namespace hedgehog::device {
 inline constexpr int kReadSlots = 16;
 inline constexpr int kWriteSlots = 8;
 inline constexpr int kSlots = kReadSlots + kWriteSlots;
-/// The largest packet of a bulk endpoint, so that every packet fits its buffer.
-inline constexpr std::size_t kSlotBytes = 512;
+inline constexpr std::size_t kSlotBytes = 512;  // maximum packet of a bulk endpoint
 
 enum class TransferEnd : std::uint8_t { kDone, kCancelled, kStalled, kGone, kFailed };
 
@@ -30,8 +29,7 @@ struct Completion {
   std::size_t length = 0;
 };
 
-/// Used by one thread at a time. Destroying it closes the device; pending transfers are cancelled
-/// first.
+/// One thread at a time. Destroying it cancels pending transfers, then closes the device.
 class UsbPort {
  public:
   UsbPort() = default;
@@ -43,8 +41,7 @@ class UsbPort {
   /// Starts a transfer; a reading slot uses its whole buffer, whatever `length` is. Never waits.
   /// False: it did not start, and no completion follows. REQUIRES: the slot is idle.
   virtual bool submit(int slot, std::size_t length) noexcept = 0;
-  /// The completion still follows.
-  virtual void cancel(int slot) noexcept = 0;
+  virtual void cancel(int slot) noexcept = 0;  // the completion still follows
   /// Ended transfers, oldest first; each once. Waits up to `wait` for the first.
   virtual std::size_t poll(std::span<Completion> ended,
                            std::chrono::milliseconds wait) noexcept = 0;
@@ -53,8 +50,7 @@ class UsbPort {
   virtual bool clear_halt() noexcept = 0;
 };
 
-/// USB of this machine.
-class UsbBus {
+class UsbBus {  // USB of this machine
  public:
   virtual ~UsbBus() = default;
   virtual std::vector<UsbDevice> list() = 0;
