@@ -122,6 +122,7 @@ TEST(WindingProblem, IsNamedWithARemedy) {
 /// device time.
 struct FakeBall {
   std::int64_t every_ms = 5;
+  double noise_a = 0.0;  // added and subtracted in turn
   std::string state = "armed";
   std::string reason = "none";
 
@@ -137,7 +138,8 @@ struct FakeBall {
         status.state = state;
         status.reason = reason;
         status.supply_v = 12.0;
-        status.current_a.x = now_ms < flows_from_ms ? 0.0 : 0.3;
+        const double added_a = now_ms / every_ms % 2 == 0 ? noise_a : -noise_a;
+        status.current_a.x = now_ms < flows_from_ms ? 0.0 : 0.3 + added_a;
         protocol::StatusKeys keys;
         for (const auto key : {protocol::StatusKey::kState, protocol::StatusKey::kReason,
                                protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA})
@@ -174,10 +176,10 @@ struct FakeBall {
 
 /// Result of holding 0.3 A for 0.2 s, and the trip that occurred meanwhile.
 struct Held {
-  explicit Held(const FakeBall& ball) : daemon(ball) {
+  explicit Held(const FakeBall& ball, WindingBench::Extent extent = {0.2}) : daemon(ball) {
     Session session{Connection::open({daemon.address()}).value(), false, {}};
     WindingBench bench(session);
-    record = bench.hold(0, 1.0, 0.3, 0.2);
+    record = bench.hold(0, 1.0, 0.3, extent);
     tripped = bench.tripped();
   }
   FakeDaemon daemon;
@@ -199,8 +201,20 @@ TEST(WindingBench, ContinuesUntilItHasEnoughSamples) {
   EXPECT_DOUBLE_EQ(held.record->mean_a[0], 0.3);
 }
 
+TEST(WindingBench, ContinuesUntilTheMeanIsAccurate) {
+  const Held held({.every_ms = 20, .noise_a = 0.03}, {0.2, 0.01});
+  ASSERT_TRUE(held.record) << held.record.error().message;
+  EXPECT_NEAR(static_cast<double>(held.record->samples.size()), 101.0, 2.0);
+}
+
+TEST(WindingBench, ANoisyCurrentIsMeasuredForAsLongAsItFlows) {
+  const Held held({.every_ms = 100, .noise_a = 0.2}, {0.2, 0.01});
+  ASSERT_TRUE(held.record) << held.record.error().message;
+  EXPECT_THAT(held.record->samples.size(), testing::AllOf(testing::Gt(80u), testing::Lt(100u)));
+}
+
 TEST(WindingBench, TooLittleTelemetryIsNoOpenWinding) {
-  const Held held({.every_ms = 300});
+  const Held held({.every_ms = 600});
   ASSERT_FALSE(held.record);
   EXPECT_EQ(held.record.error().failure, Failure::kTimeout);
   EXPECT_THAT(held.record.error().message, testing::HasSubstr("telemetry rate too low"));

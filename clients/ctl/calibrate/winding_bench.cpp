@@ -16,7 +16,7 @@ constexpr double kWaitingHz = 5.0;
 constexpr double kSettleS = 0.2;
 constexpr double kSineS = 1.2;
 /// Maximum duration of a measured current; it is stopped earlier.
-constexpr std::int64_t kFlowsMs = 5000;
+constexpr std::int64_t kFlowsMs = 10'000;
 constexpr std::int64_t kPushMs = 700;
 
 EffectParams along(int coil, double sign, double current_a) {
@@ -73,7 +73,7 @@ Outcome<void> WindingBench::stop() {
   }
 }
 
-Outcome<WindingRecord> WindingBench::record(int coil, double take_s, double flows_until_s) {
+Outcome<WindingRecord> WindingBench::record(int coil, Extent extent, double flows_until_s) {
   WindingRecord record;
   std::optional<double> began;
   for (;;) {
@@ -82,8 +82,12 @@ Outcome<WindingRecord> WindingBench::record(int coil, double take_s, double flow
     const double t_s = static_cast<double>(status->time_ns) * 1e-9;
     began = began.value_or(t_s);
     if (t_s < *began + kSettleS) continue;
-    if (t_s > *began + kSettleS + take_s && record.samples.size() >= kMinSamples) break;
+    const bool enough = record.samples.size() >= kMinSamples;
+    if (enough && t_s > *began + kSettleS + extent.take_s &&
+        mean_error(record.samples) <= extent.max_error)
+      break;
     if (t_s > flows_until_s) {
+      if (enough) break;
       return ClientError{Failure::kTimeout,
                          "telemetry rate too low to measure a winding: reduce the load of this "
                          "computer or the network, then calibrate again",
@@ -119,12 +123,12 @@ Outcome<protocol::Status> WindingBench::rest() {
   return *status;
 }
 
-Outcome<WindingRecord> WindingBench::hold(int coil, double sign, double current_a, double take_s) {
+Outcome<WindingRecord> WindingBench::hold(int coil, double sign, double current_a, Extent extent) {
   EffectParams params = along(coil, sign, current_a);
   params.lease_ms = kFlowsMs;
   const auto flows_until_s = start(EffectMethod::kHold, params);
   if (!flows_until_s) return flows_until_s.error();
-  return record(coil, take_s, *flows_until_s);
+  return record(coil, extent, *flows_until_s);
 }
 
 Outcome<WindingRecord> WindingBench::sine(int coil, double current_a, double frequency_hz) {
@@ -134,7 +138,7 @@ Outcome<WindingRecord> WindingBench::sine(int coil, double current_a, double fre
   params.duration_ms = kFlowsMs;
   const auto flows_until_s = start(EffectMethod::kVibrate, params);
   if (!flows_until_s) return flows_until_s.error();
-  return record(coil, kSineS, *flows_until_s);
+  return record(coil, {kSineS}, *flows_until_s);
 }
 
 Outcome<void> WindingBench::push(int coil, double current_a) {

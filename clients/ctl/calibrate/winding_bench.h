@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,8 +35,14 @@ class WindingBench {
   Outcome<protocol::Status> rest();
   /// Waits until `t_s` of device time without current.
   Outcome<void> wait_until(double t_s);
-  /// A constant current, `sign` * `current_a`, measured for `take_s` once it has settled.
-  Outcome<WindingRecord> hold(int coil, double sign, double current_a, double take_s);
+  /// How long a current is measured once it has settled: for `take_s`, and beyond it until the
+  /// relative error of its mean is at most `max_error`, as long as the current flows.
+  struct Extent {
+    double take_s = 0.0;
+    double max_error = std::numeric_limits<double>::infinity();
+  };
+  /// A constant current, `sign` * `current_a`.
+  Outcome<WindingRecord> hold(int coil, double sign, double current_a, Extent extent);
   /// A sine between 0 and `current_a`.
   Outcome<WindingRecord> sine(int coil, double current_a, double frequency_hz);
   /// A push for a person to feel; replaces the previous one.
@@ -45,7 +52,7 @@ class WindingBench {
 
  private:
   /// An error if too few samples were received until `flows_until_s`, of device time.
-  Outcome<WindingRecord> record(int coil, double take_s, double flows_until_s);
+  Outcome<WindingRecord> record(int coil, Extent extent, double flows_until_s);
   Outcome<void> play(model::EffectMethod method, const protocol::EffectParams& params);
   /// Starts the effect and the telemetry for `record`; returns until when the current flows at
   /// least, s of device time.

@@ -28,6 +28,8 @@ constexpr double kFrequencyHz = 47.0;
 constexpr double kCheckA = 0.3;
 constexpr double kCheckS = 0.2;
 constexpr double kTakeS = 0.6;
+/// Of the mean current in each direction; that of the resistance is smaller by the root of two.
+constexpr double kMaxError = 0.004;
 /// Below 1.5 A a wrong resistance cannot be mistaken for heat.
 constexpr double kUnknownA = 1.2;
 /// A clearly perceptible push, A; only if the daemon's resistance is accurate to `kKnown`.
@@ -113,7 +115,7 @@ class Windings {
   int measure_all(WindingMeasurement& look) {
     if (!all_known()) return kDone;
     for (int coil = 0; coil < 3; ++coil) {
-      const auto seen = steady(coil, kPushA, kMeasureS);
+      const auto seen = steady(coil, kPushA, {kMeasureS});
       if (!seen) return give_up(seen.error());
       if (const auto problem = problem_of(coil, *seen); !problem.empty())
         return print_error(problem);
@@ -150,10 +152,10 @@ class Windings {
     WindingRecord forth, back;
     std::optional<double> resistance_ohm;
   };
-  Outcome<Steady> steady(int coil, double current_a, double take_s) {
-    auto forth = bench_.hold(coil, 1.0, current_a, take_s);
+  Outcome<Steady> steady(int coil, double current_a, WindingBench::Extent extent) {
+    auto forth = bench_.hold(coil, 1.0, current_a, extent);
     if (!forth) return forth.error();
-    auto back = bench_.hold(coil, -1.0, current_a, take_s);
+    auto back = bench_.hold(coil, -1.0, current_a, extent);
     if (!back) return back.error();
     const auto resistance = steady_resistance(forth->samples, back->samples);
     return Steady{*std::move(forth), *std::move(back), resistance};
@@ -165,7 +167,7 @@ class Windings {
 
   int measure(int coil) {
     const auto i = static_cast<std::size_t>(coil);
-    const auto probe = steady(coil, kCheckA, kCheckS);
+    const auto probe = steady(coil, kCheckA, {kCheckS});
     if (!probe) return fail_probe(coil, probe.error());
     if (const auto problem = problem_of(coil, *probe); !problem.empty())
       return print_error(problem);
@@ -176,7 +178,7 @@ class Windings {
     const double current_a =
         (known ? options_.current_a : std::min(options_.current_a, kUnknownA)) *
         std::min(1.0, ratio);
-    const auto seen = steady(coil, current_a, kTakeS);
+    const auto seen = steady(coil, current_a, {kTakeS, kMaxError});
     if (!seen) return give_up(seen.error());
     if (const auto problem = problem_of(coil, *seen); !problem.empty()) return print_error(problem);
     const auto sine = bench_.sine(coil, current_a, kFrequencyHz);

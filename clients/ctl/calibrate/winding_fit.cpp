@@ -29,6 +29,15 @@ Mean mean_of(const std::vector<WindingSample>& samples) {
   return {mean.current_a / count, mean.voltage_v / count};
 }
 
+/// Variance of the mean current.
+double mean_variance(const std::vector<WindingSample>& samples) {
+  const double mean_a = mean_of(samples).current_a;
+  const auto count = static_cast<double>(samples.size());
+  double squares = 0.0;
+  for (const WindingSample& one : samples) squares += std::pow(one.current_a - mean_a, 2.0);
+  return squares / (count * std::max(1.0, count - 1.0));
+}
+
 /// Least-squares fit of x(t) = c + Re(P exp(i w t)).
 std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double omega,
                              double WindingSample::*what) {
@@ -50,6 +59,10 @@ std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double o
 
 }  // namespace
 
+double mean_error(const std::vector<WindingSample>& samples) {
+  return std::sqrt(mean_variance(samples)) / std::abs(mean_of(samples).current_a);
+}
+
 std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
                                         const std::vector<WindingSample>& back, double min_a) {
   if (forth.empty() || back.empty()) return std::nullopt;
@@ -62,15 +75,8 @@ std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
 
 double steady_resistance_error(const std::vector<WindingSample>& forth,
                                const std::vector<WindingSample>& back) {
-  double variance = 0.0;
-  for (const auto* samples : {&forth, &back}) {
-    const double mean_a = mean_of(*samples).current_a;
-    const auto count = static_cast<double>(samples->size());
-    double squares = 0.0;
-    for (const WindingSample& one : *samples) squares += std::pow(one.current_a - mean_a, 2.0);
-    variance += squares / (count * std::max(1.0, count - 1.0));
-  }
-  return std::sqrt(variance) / std::abs(mean_of(forth).current_a - mean_of(back).current_a);
+  return std::sqrt(mean_variance(forth) + mean_variance(back)) /
+         std::abs(mean_of(forth).current_a - mean_of(back).current_a);
 }
 
 std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,

@@ -19,6 +19,9 @@ struct WindingSample {
   double voltage_v = 0.0;
 };
 
+/// Relative standard error of the mean current, from the scatter of the currents.
+double mean_error(const std::vector<WindingSample>& samples);
+
 /// Ohm, from constant currents in both directions: a constant offset of the current sensor cancels.
 /// nullopt: less than `min_a` in either direction.
 std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
