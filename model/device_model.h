@@ -23,23 +23,17 @@ struct UsbId {
 };
 
 struct DeviceModel {
-  /// Display name of this ball ("ball-7"); label `device` of the metrics.
-  std::string name = "ball";
-  /// The kind of ball; the name of its device file.
-  std::string model = "hedgehog-86";
+  std::string name = "ball";          // display name ("ball-7"); label `device` of the metrics
+  std::string model = "hedgehog-86";  // the kind of ball; the name of its device file
   BallGeometry geometry;
   CoilModel coils;
   ThermalModel thermal;
-  /// Uncertainty of `thermal` and `coils.r25_ohm` for this ball.
-  ThermalUncertainty uncertainty;
+  ThermalUncertainty uncertainty;  // of `thermal` and `coils.r25_ohm`
   /// Of the typical pin at its rest position (`PinCurves::typical_rest_mm`).
   double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
-  /// Configuration may only tighten these.
-  Limits limits;
-  /// Boards that drive this kind of ball.
-  std::vector<UsbId> usb{{0x1209, 0x0001}};
-  /// Serial number of this ball's own board; empty: any board, provided exactly one is connected.
-  std::string usb_serial;
+  Limits limits;                             // configuration may only tighten these
+  std::vector<UsbId> usb{{0x1209, 0x0001}};  // boards that drive this kind of ball
+  std::string usb_serial;  // of this ball's own board; empty: any, if exactly one is connected
 
   friend bool operator==(const DeviceModel&, const DeviceModel&) = default;
 };

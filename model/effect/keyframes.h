@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Key frames: direction and level of the push at points in time, with the interpolation between
-// them. Used by `effect.play` and patterns (protocol/README.md).
+// Key frames of effects: direction and level of the push over time (protocol/README.md).
 #pragma once
 
 #include <cstdint>
@@ -12,20 +11,16 @@
 
 namespace hedgehog::model {
 
-/// Interpolation of level and direction to the next key frame: linear; constant until the next one;
-/// smoothstep (3u^2 - 2u^3).
+/// Interpolation to the next key frame: linear; constant until there; smoothstep (3u^2 - 2u^3).
 enum class Ease : std::uint8_t { kLinear, kStep, kSmooth };
 
-/// 20 bytes, trivially copyable: the control thread stores hundreds of them.
+/// Direction: a unit vector in the pattern's frame (front is +x). 20 bytes, trivially copyable.
 struct Keyframe {
-  /// Direction of the push, a unit vector in the pattern's frame (front is +x).
   float x = 1.0F;
   float y = 0.0F;
   float z = 0.0F;
-  /// Fraction of the effect's strength, 0..1.
-  float level = 0.0F;
-  /// Milliseconds from the beginning of the pattern at rate 1; non-decreasing from one to the next.
-  std::uint16_t t_ms = 0;
+  float level = 0.0F;      // fraction of the effect's strength, 0..1
+  std::uint16_t t_ms = 0;  // from the beginning of the pattern at rate 1; non-decreasing
   Ease ease = Ease::kLinear;
 
   Vec3 direction() const noexcept { return {x, y, z}; }
@@ -40,17 +35,15 @@ struct KeyframePoint {
   double level = 0.0;       // 0..1
 };
 
-/// The pattern `at_ms` milliseconds (>= 0) from its beginning. Directions follow the great circle;
-/// between opposite ones via the top (via the front for up and down). Before the first key frame
-/// and after the last the level is 0. Of several at the same time the last applies. Real-time safe:
-/// O(log n).
+/// The pattern at `at_ms` >= 0. Directions follow the great circle, between opposite ones via the
+/// top (via the front for up and down). Level 0 before the first key frame and after the last; of
+/// several at the same time the last applies. Real-time safe: O(log n).
 KeyframePoint point_at(std::span<const Keyframe> frames, double at_ms) noexcept;
 
 /// Time of the last key frame; 0 without key frames.
 double length_ms(std::span<const Keyframe> frames) noexcept;
 
-/// The shortest rotation from front (+x) to `towards`, a unit vector; for straight back, half a
-/// turn about +z.
+/// The shortest rotation from front (+x) to a unit vector; straight back: half a turn about +z.
 Quaternion turn_from_front(const Vec3& towards) noexcept;
 
 }  // namespace hedgehog::model

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lower bound of the windings' temperatures by energy balance: a ball whose heat capacities and
 // conductances are all at the upper end of their tolerance, corrected slowly by its thermistors.
-// Resistances enter only through the measured loss.
 #pragma once
 
 #include <array>

@@ -7,60 +7,49 @@
 
 namespace hedgehog::model {
 
-/// Resistance at 25 C of a winding as measured beside a thermistor after a rest. Trivially
-/// copyable.
+/// R25 of a winding as measured beside a thermistor after a rest. Trivially copyable.
 struct RestResistance {
   double ohm = 0.0;
-  /// Relative decrease of it per ampere of current offset.
-  double per_ampere = 0.0;
+  double per_ampere = 0.0;  // its relative decrease per ampere of current offset
 };
 
-/// State for one winding. Real-time safe, trivially copyable.
-///
-/// The sum survives a trip: arming does not clear it. At rest it is suspended until the resistance
-/// has been measured against a thermistor; it is cleared if the resistance is the same as before
-/// the fall, and resumed otherwise.
+/// State for one winding. Real-time safe, trivially copyable. The sum survives a trip and arming; a
+/// rest suspends it until the resistance has been measured against a thermistor: it is cleared if
+/// the resistance is the same as before the fall, and resumed otherwise.
 class ResistanceFall {
  public:
-  /// The sum at which the fall is certain.
-  static constexpr double kLimit = 60.0;
-  /// Maximum increase of the winding's bound by an uncertain fall, K.
-  static constexpr double kMaxMarginK = 5.0;
+  static constexpr double kLimit = 60.0;      // the sum at which the fall is certain
+  static constexpr double kMaxMarginK = 5.0;  // added to the winding's bound by an uncertain fall
   /// A resistance lower by more than this share differs from the one before the fall. References
   /// are not compared if a current offset can change their difference by more.
   static constexpr double kSameShare = 0.01;
 
   ResistanceFall() noexcept = default;
-  /// Until the first reference: the device file's R25, ohm, and its standard deviation, a share.
+  /// R25 of the device file, used until the first reference, and its relative standard deviation.
   ResistanceFall(double file_ohm, double file_deviation) noexcept
       : before_{file_ohm, 0.0}, tolerance_(kSameShare + file_deviation) {}
 
-  /// Adds a V/I innovation of `deviations` standard deviations (positive: above the prediction).
+  /// Adds a V/I innovation in standard deviations (positive: above the prediction).
   void add(double deviations, bool each_winding_has_a_thermistor) noexcept;
-  /// Advances by `dt_s`, less than a minute: the margin decays slowly.
+  /// Slow decay of the margin over `dt_s`, less than a minute.
   void age(double dt_s) noexcept;
 
-  /// Once a step, after the winding's thermometer was updated: calls the three functions below at
-  /// its rests and references. `offset_a`: maximum current offset.
+  /// Once a step, after the winding's thermometer: calls the next three at its rests and
+  /// references. `offset_a`: maximum current offset.
   void follow(const WindingThermometer& winding, double offset_a) noexcept;
-  /// The winding is at the temperature of a thermistor: the next current gives its resistance at a
-  /// known temperature.
-  void rest() noexcept;
-  /// A reference was taken after that rest.
+  void rest() noexcept;  // the winding is at the temperature of a thermistor
+  /// After that rest a reference was taken; or none was: too little current, or too much heating.
   void compare(const RestResistance& now, double offset_a) noexcept;
-  /// No reference was taken: too little current, or too much heating.
   void resume() noexcept;
 
   bool certain() const noexcept { return sum_ > kLimit; }
-  /// Required increase of the winding's bound, K.
   double margin_k() const noexcept { return margin_k_; }
 
  private:
   double sum_ = 0.0;
   double suspended_sum_ = 0.0;
   double margin_k_ = 0.0;
-  /// The highest reference so far; before the first, the device file's, which has no offset error.
-  RestResistance before_;
+  RestResistance before_;  // highest reference so far; at first the file's, without offset error
   double tolerance_ = kSameShare;
   bool by_file_ = true;
   bool comparing_ = false;

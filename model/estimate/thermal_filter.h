@@ -16,12 +16,9 @@ namespace hedgehog::model {
 
 /// Difference between a measurement and the filter's prediction.
 struct Innovation {
-  /// Measured - predicted, in the measurement's own unit, and in standard deviations of the two
-  /// combined.
-  double difference = 0.0;
-  double deviations = 0.0;
-  /// False if it was rejected because it exceeded ThermalFilter::kGate.
-  bool used = false;
+  double difference = 0.0;  // measured - predicted, in the measurement's own unit
+  double deviations = 0.0;  // the same in standard deviations of the two combined
+  bool used = false;        // false: rejected, it exceeded ThermalFilter::kGate
 };
 
 /// Initial state of the filter. Trivially copyable.
@@ -33,12 +30,10 @@ struct FilterStart {
   double single_k = 0.3;
 };
 
-/// Real-time safe: no allocation, about 2 us a prediction and 1 us a measurement. Trivially
-/// copyable. One thread.
+/// Real-time safe: about 2 us a prediction, 1 us a measurement. Trivially copyable. One thread.
 class ThermalFilter {
  public:
-  /// Gate: a measurement further off than so many standard deviations is rejected.
-  static constexpr double kGate = 5.0;
+  static constexpr double kGate = 5.0;  // deviations from which a measurement is rejected
 
   ThermalFilter() noexcept : ThermalFilter(CoilModel{}, ThermalModel{}, {}, {}) {}
   ThermalFilter(const CoilModel& coils, const ThermalModel& thermal,
@@ -66,8 +61,7 @@ class ThermalFilter {
   double ambient_c() const noexcept { return x_[kAmbient]; }
   /// Standard deviation of a temperature that is `share` (0..1) of the way from ambient to core, K.
   double between_deviation_k(double share) const noexcept;
-  /// Conductance from core to ambient relative to the device file's.
-  double cooling() const noexcept;
+  double cooling() const noexcept;  // conductance from core to ambient relative to the file's
   /// The thermistor's own temperature, without its offset.
   double thermistor_c(int coil) const noexcept { return x_[at(kBody, coil)]; }
   double thermistor_offset_k(int coil) const noexcept { return x_[at(kThermistorOffset, coil)]; }

@@ -22,41 +22,32 @@ namespace hedgehog::model {
 
 /// One millisecond of measurements. Trivially copyable.
 struct ThermalMeasurement {
-  /// Mean bridge voltages over it (duty x supply), and currents at its start and end. They must be
-  /// of the same tick: a voltage one tick off causes an error of tens of kelvins while the current
-  /// changes. After a lost frame set `electrical_valid` to false.
+  /// Mean bridge voltages (duty x supply), and currents at start and end, of the same tick: one
+  /// tick off is an error of tens of kelvins while the current changes.
   Vec3 voltage_v;
   Vec3 current_before_a;
   Vec3 current_a;
-  /// At the bridges, V; 0: not measured.
-  double supply_v = 0.0;
+  double supply_v = 0.0;  // at the bridges; 0: not measured
   /// False when the bridges were asleep or the telemetry was lost: V/I is then not measured, and
   /// currents are zero or assumed.
   bool electrical_valid = false;
-  /// By winding: false when its current is a prediction, not a measurement.
-  std::array<bool, kCoils> current_measured{true, true, true};
-  /// True when no current can flow and the sensors are read; `idle_a`: their readings.
-  bool idle = false;
-  Vec3 idle_a;
+  std::array<bool, kCoils> current_measured{true, true, true};  // false: it is a prediction
+  bool idle = false;  // no current can flow and the current sensors are read
+  Vec3 idle_a;        // their readings
   CurrentAccuracy accuracy;
-  /// By winding; not valid where there is none, or while it is open, shorted, stale or out of
-  /// range.
-  ThermistorReadings thermistors;
+  ThermistorReadings thermistors;  // not valid while absent, open, shorted, stale, out of range
   bool fan_running = false;
 };
 
 /// Initial state of an observer. Trivially copyable.
 struct ThermalStart {
   ThermalState nodes;
-  /// NaN: use the coolest node if it is below 35 C, else 25 C.
+  /// NaN: the coolest node if it is below 35 C, else 25 C.
   double ambient_c = std::numeric_limits<double>::quiet_NaN();
-  /// True if the nodes come from a previous estimate or from a ball at ambient temperature;
-  /// otherwise they are a guess from the thermistor.
+  /// The nodes are a previous estimate or ambient temperature; false: guessed by the thermistor.
   bool known = false;
-  /// Standard deviation of each node in addition to that of the thermistors, K; only if `known`.
-  double deviation_k = 0.3;
-  /// Windings measured by V/I since then.
-  std::array<bool, kCoils> measured{};
+  double deviation_k = 0.3;  // of each node, in addition to the thermistors'; only if `known`
+  std::array<bool, kCoils> measured{};  // by V/I since then
 
   /// True if the ball is at one temperature, so that its thermistors measure every winding.
   bool at_rest() const noexcept {
@@ -67,35 +58,26 @@ struct ThermalStart {
 
 struct ThermalEstimate {
   ThermalState nodes;
-  /// Standard deviation of each winding's temperature, K.
-  std::array<double, kCoils> deviation_k{};
-  /// Upper bound of each winding's temperature, C; used by the limiter.
-  std::array<double, kCoils> upper_c{25.0, 25.0, 25.0};
+  std::array<double, kCoils> deviation_k{};  // standard deviation of each winding's temperature
+  std::array<double, kCoils> upper_c{25.0, 25.0, 25.0};  // upper bounds, for the limiter
   /// Maximum of those and of the thermistors with their lead; the limiter must use it. Infinity
   /// when no thermistor has been valid for 100 ms (until then its last value is held).
   double hottest_c = 25.0;
-  /// Estimate of the hottest winding plus one standard deviation, C; used for the trip.
-  double likely_c = 25.0;
-  /// Thermistor with lead compensation, C.
-  double sensor_lead_c = 25.0;
-  /// Estimated ambient temperature. An effective value: a core cooled worse than nominal appears as
-  /// a warmer ambient.
-  double ambient_c = 25.0;
+  double likely_c = 25.0;  // hottest winding's estimate plus a standard deviation; for the trip
+  double sensor_lead_c = 25.0;  // thermistor with lead compensation
+  double ambient_c = 25.0;      // effective: a badly cooled core appears as a warmer ambient
   /// Windings measured by V/I since the start (after a restart without saved temperatures a winding
-  /// is limited to continuous_a until then).
+  /// is limited to continuous_a until then), and at this tick.
   std::array<bool, kCoils> measured{};
-  /// Windings measured by V/I at this tick.
   std::array<bool, kCoils> measuring{};
-  /// Estimated resistance of each winding now, ohm, within a factor of two of the filter's; for
-  /// the bridge voltage.
+  /// Present resistances for the bridge voltages, within a factor of two of the filter's.
   std::array<double, kCoils> resistance_ohm{0.45, 0.45, 0.45};
 };
 
 /// Real-time safe; trivially copyable, so that the flight recorder can keep it.
 class ThermalObserver {
  public:
-  /// Update period of the filter.
-  static constexpr double kWindowS = 0.1;
+  static constexpr double kWindowS = 0.1;  // update period of the filter
 
   ThermalObserver() noexcept : ThermalObserver(CoilModel{}, ThermalModel{}, ThermalStart{}) {}
   ThermalObserver(const CoilModel& coils, const ThermalModel& thermal, const ThermalStart& start,
@@ -106,8 +88,7 @@ class ThermalObserver {
   void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
   const ThermalEstimate& estimate() const noexcept { return estimate_; }
 
-  /// The filter, and the innovations of the last window's measurements; `window_ended()`: true in
-  /// the tick in which a window ended.
+  /// Innovations are those of the last window; `window_ended()`: it ended in this tick.
   const ThermalFilter& filter() const noexcept { return filter_; }
   bool window_ended() const noexcept { return window_ended_; }
   struct WindowInnovations {
@@ -125,14 +106,12 @@ class ThermalObserver {
   const WindingThermometer& winding(int coil) const noexcept {
     return thermometer_[static_cast<std::size_t>(coil)];
   }
-  /// Of the last step.
   const ThermistorReadings& thermistors() const noexcept { return thermistors_; }
   /// True within 20 s of a start from unknown temperatures: no fault detection yet.
   bool settling() const noexcept { return settling_s_ > 0.0; }
 
  private:
-  /// Sums over the current window.
-  struct Window {
+  struct Window {  // sums over the current one
     double s = 0.0;
     std::array<double, kCoils> heat_j{};
     int ticks = 0;
@@ -161,24 +140,20 @@ class ThermalObserver {
   ThermalModel thermal_;
   ThermalEstimate estimate_;
   ThermalFilter filter_;
-  /// The filter's resistances: they, too, change at the end of a window only.
-  std::array<double, kCoils> expected_ohm_{};
+  std::array<double, kCoils> expected_ohm_{};  // the filter's, at the end of the last window
   EnergyFloor floor_;
   std::array<WindingThermometer, kCoils> thermometer_{};
   CurrentAccuracy accuracy_;
   Window window_;
   std::array<WindowInnovations, kCoils> innovations_{};
   std::array<ResistanceFall, kCoils> fall_{};
-  /// Decrease of ln R per ampere of current offset in the last window.
-  std::array<double, kCoils> per_ampere_{};
+  std::array<double, kCoils> per_ampere_{};  // fall of ln R per ampere of offset, last window
   bool window_ended_ = false;
   double settling_s_ = 0.0;
-  /// Mean squares of the winding currents over the last step, A^2; kept while unknown.
-  Vec3 mean_square_a2_;
+  Vec3 mean_square_a2_;  // of the winding currents over the last step; kept while unknown
   ThermistorReadings thermistors_;
-  /// No-load supply voltage: low-pass filtered, and at each winding's last reference, V.
-  double supply_v_ = 0.0;
-  std::array<double, kCoils> reference_supply_v_{};
+  double supply_v_ = 0.0;                            // no-load, low-pass filtered
+  std::array<double, kCoils> reference_supply_v_{};  // the same at each last reference
   ThermistorLead sensor_;
 };
 

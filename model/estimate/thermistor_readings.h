@@ -9,11 +9,10 @@
 
 namespace hedgehog::model {
 
-/// Present readings. Trivially copyable.
+/// By winding. Trivially copyable.
 struct ThermistorReadings {
   std::array<double, kCoils> celsius{25.0, 25.0, 25.0};
-  /// By winding; false where there is none, or where it cannot be used.
-  std::array<bool, kCoils> valid{};
+  std::array<bool, kCoils> valid{};  // false where there is none, or where it cannot be used
 
   int count() const noexcept { return valid[0] + valid[1] + valid[2]; }
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A winding as a resistance thermometer: V/I relative to the resistance at the last rest, when a
-// thermistor measured its temperature. Constant gain errors of voltage and current and an error of
-// the device file's R25 cancel.
+// A winding as a resistance thermometer: V/I relative to the resistance at the last rest beside a
+// thermistor. Constant gain errors and an error of the device file's R25 cancel.
 #pragma once
 
 #include "model/coils.h"
@@ -11,18 +10,14 @@
 
 namespace hedgehog::model {
 
-/// Inputs of a winding thermometer in one tick. Trivially copyable.
+/// Inputs in one tick. Trivially copyable.
 struct WindingReading {
   double voltage_v = 0.0;
-  /// Currents at the start and end of the last millisecond; `measured`: true with a voltage of the
-  /// same tick.
-  double before_a = 0.0;
-  double after_a = 0.0;
-  bool measured = false;
-  /// Copper loss in this tick, W, also while not measured.
-  double loss_w = 0.0;
-  /// The thermistor that is at the winding's temperature once the winding has rested.
-  ThermistorReference reference;
+  double before_a = 0.0;          // current at the start of the last millisecond
+  double after_a = 0.0;           // and at its end
+  bool measured = false;          // voltage and currents, of the same tick
+  double loss_w = 0.0;            // copper loss in this tick, also while not measured
+  ThermistorReference reference;  // has the winding's temperature once the winding has rested
 };
 
 /// Real-time safe, trivially copyable. Detects by a model of its heating when the winding has
@@ -30,41 +25,32 @@ struct WindingReading {
 class WindingThermometer {
  public:
   WindingThermometer() noexcept : WindingThermometer(CoilModel{}, ThermalModel{}, 0) {}
-  /// Winding `coil`, 0..2.
   WindingThermometer(const CoilModel& coils, const ThermalModel& thermal, int coil) noexcept;
 
   void set_accuracy(const CurrentAccuracy& accuracy) noexcept { meter_.set_accuracy(accuracy); }
-  /// Starts at the temperature of its reference.
-  void start_rested() noexcept { above_k_ = 0.0; }
-
-  /// True if it is at the temperature of its surroundings.
-  bool rested() const noexcept { return above_k_ < kRestedK; }
+  void start_rested() noexcept { above_k_ = 0.0; }  // at the temperature of its reference
+  bool rested() const noexcept { return above_k_ < kRestedK; }  // as warm as its surroundings
 
   /// Advances by `dt_s`, at most 20 ms.
   void step(const WindingReading& reading, double dt_s) noexcept;
 
   const WindingMeter& meter() const noexcept { return meter_; }
-  /// True while V/I is measured.
-  bool measuring() const noexcept { return meter_.valid(); }
-  /// True at rest and while the current for the next reference is measured.
-  bool comparing() const noexcept { return comparing_; }
-  /// True if the last step completed a reference.
-  bool reference_taken() const noexcept { return reference_taken_; }
-  /// True if it has a measured reference, not only the device file's R25.
-  bool referenced() const noexcept { return referenced_; }
-  /// Resistance at 25 C by its reference (else by the device file), including this board's gain
-  /// errors, ohm.
+  bool measuring() const noexcept { return meter_.valid(); }  // V/I is measured
+  bool comparing() const noexcept { return comparing_; }  // at rest, or taking the next reference
+  bool reference_taken() const noexcept { return reference_taken_; }  // by the last step
+  bool referenced() const noexcept { return referenced_; }  // false: only the device file's R25
+  /// By its reference, else by the device file; includes this board's gain errors.
   double r25_ohm() const noexcept { return r25_ohm_; }
   /// Relative decrease of that per ampere of current offset.
   double reference_per_ampere() const noexcept { return reference_per_ampere_; }
-  /// By V/I; before the first measurement the one at 25 C, ohm.
+  /// By V/I; before the first measurement the one at 25 C.
   double resistance_ohm() const noexcept {
     return meter_.resistance_ohm() > 0.0 ? meter_.resistance_ohm() : r25_ohm_;
   }
   /// By V/I; the last value while not measuring, 25 C before the first.
   double celsius() const noexcept;
-  /// Three standard deviations of its noise, and its error by the current offset, K; only while
-  /// measuring. The second considers that the reference has the same offset.
+  /// Three standard deviations of its noise, and its error by the current offset, which the
+  /// reference has too; only while measuring.
   double noise_k() const noexcept;
   double bias_k() const noexcept;
 
@@ -77,9 +63,8 @@ class WindingThermometer {
   double r25_ohm_ = 0.45;
   bool referenced_ = false;
   double reference_per_ampere_ = 0.0;
-  // Temperature above its surroundings, and warming since it was last at rest, K.
-  double above_k_ = kUnknownK;
-  double warmed_k_ = kUnknownK;
+  double above_k_ = kUnknownK;   // above its surroundings
+  double warmed_k_ = kUnknownK;  // since it was last at rest
   double rest_c_ = 25.0;
   bool comparing_ = false;
   bool reference_taken_ = false;

@@ -28,11 +28,9 @@ inline constexpr std::array<NamedDirection, 6> kNamedDirections{{
 /// The name nearest to `v`; "up" for a zero vector. For display: "at pin 34, on the left".
 std::string_view side_name(const Vec3& v) noexcept;
 
-/// Degrees. Azimuth anticlockwise seen from above, 0 front, 90 left, -180..180; elevation from the
-/// horizon, 90 up, -90..90.
 struct AzimuthElevation {
-  double azimuth_deg = 0.0;
-  double elevation_deg = 0.0;
+  double azimuth_deg = 0.0;    // anticlockwise seen from above, 0 front, 90 left, -180..180
+  double elevation_deg = 0.0;  // from the horizon, 90 up, -90..90
 };
 
 /// Unit vector. Any azimuth; elevations beyond +-90 continue over the pole.

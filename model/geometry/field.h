@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forces of a field on the pins. The electromagnet acts as a dipole in the centre, so the force on
-// a pin along its radius is slope * |field| * cos(angle between them), exactly (reference:
-// physics.md section 5): pins in the hemisphere towards the field are pushed out, the others pulled
-// in.
+// Forces of a field on the pins, by a dipole in the centre: along a pin's radius exactly slope *
+// |field| * cos(angle between them), pushed out or pulled in (reference: physics.md section 5).
 #pragma once
 
 #include <span>
@@ -13,16 +11,14 @@
 
 namespace hedgehog::model {
 
-/// Force on the pin at `pin_direction` (unit vector), N, outwards positive. `slope_n_a`: force per
-/// ampere on the typical pin at its rest position with the field along it, as
-/// kMeasuredCalibration.force_slope_n_a; the force on other pins at their rest positions differs by
-/// up to 5 % (`PinCurves::force_at_rest_n`). RT-safe.
+/// N, outwards positive. `slope_n_a`: on the typical pin at rest with the field along it; the force
+/// on other pins at rest differs by up to 5 % (`PinCurves::force_at_rest_n`). RT-safe.
 constexpr double force_on_pin(const FieldDemand& field, const Vec3& pin_direction,
                               double slope_n_a) noexcept {
   return slope_n_a * dot(field.a, pin_direction);
 }
 
-/// The force on every pin, N. REQUIRES: forces_n.size() >= array.pins.size(). RT-safe.
+/// REQUIRES: forces_n.size() >= array.pins.size(). RT-safe.
 void pin_forces(const PinArray& array, const FieldDemand& field, double slope_n_a,
                 std::span<double> forces_n) noexcept;
 

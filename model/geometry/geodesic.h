@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Geodesic triangulations of the sphere by Caspar and Klug: an icosahedron subdivided by the
-// triangular lattice in which each side is m steps along one direction and n along the next. The
-// dual is the Goldberg polyhedron GP(m,n). Start-up only: allocates.
+// Geodesic triangulations of the sphere by Caspar and Klug: an icosahedron whose side is m steps of
+// a triangular lattice along one direction and n along the next. Start-up only: allocates.
 #pragma once
 
 #include <array>
@@ -12,11 +11,10 @@
 
 namespace hedgehog::model {
 
+/// The dual is the Goldberg polyhedron GP(m,n).
 struct Geodesic {
-  /// 10 (m^2 + m n + n^2) + 2 unit vectors.
-  std::vector<Vec3> points;
-  /// Indices of `points`, anticlockwise seen from outside.
-  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<Vec3> points;                           // 10 (m^2 + m n + n^2) + 2 unit vectors
+  std::vector<std::array<std::size_t, 3>> triangles;  // of `points`, anticlockwise from outside
 };
 
 /// A corner of the icosahedron is at +z and its neighbour on the meridian of +x. (m,n) and (n,m)

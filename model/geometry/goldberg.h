@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Goldberg polyhedra GP(m,n) in canonical form: every edge touches the unit sphere and every face
-// is planar (G. Hart, "Canonical Polyhedra"). The thesis' tkD array (section 2.2) is GP(3,0), its
-// cD GP(2,0) and its wD GP(2,1): a pin per face, a shielding magnet per vertex. Start-up only:
-// allocates.
+// is planar (G. Hart, "Canonical Polyhedra"; thesis section 2.2). Start-up only: allocates.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +14,18 @@ namespace hedgehog::model {
 /// -z; the line from the upper one to a neighbouring pentagon is on the meridian of +x.
 struct Goldberg {
   struct Face {
-    /// Indices of `vertices`, anticlockwise seen from outside; 5 or 6 of them.
-    std::vector<std::size_t> corners;
-    /// Indices of `faces` that share an edge.
-    std::vector<std::size_t> neighbours;
-    /// Unit vector towards the mean of the corners.
-    Vec3 direction;
-    /// Number of edges from the upper pentagon, which has 0.
-    int ring = 0;
+    std::vector<std::size_t> corners;     // 5 or 6 of `vertices`, anticlockwise seen from outside
+    std::vector<std::size_t> neighbours;  // those of `faces` that share an edge
+    Vec3 direction;                       // unit vector towards the mean of the corners
+    int ring = 0;                         // number of edges from the upper pentagon, which has 0
   };
   std::vector<Vec3> vertices;
   std::vector<Face> faces;
 };
 
-/// Maximum m + n.
-inline constexpr int kMaxGoldberg = 8;
+inline constexpr int kMaxGoldberg = 8;  // m + n
 
-/// GP(m,n), its angles within 1e-4 degrees of the canonical form. REQUIRES: 1 <= m, 0 <= n,
-/// m + n <= kMaxGoldberg.
+/// Angles are exact within 1e-4 degrees. REQUIRES: 1 <= m, 0 <= n, m + n <= kMaxGoldberg.
 Goldberg canonical_goldberg(int m, int n = 0);
 
 }  // namespace hedgehog::model

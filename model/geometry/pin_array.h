@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Positions of the pins of a ball. Frame: x towards the front (the arrow on the casing), y left, z
-// up, right-handed.
+// Positions of a ball's pins. Frame: x front (the arrow on the casing), y left, z up, right-handed.
 #pragma once
 
 #include <cstddef>
@@ -13,28 +12,22 @@
 namespace hedgehog::model {
 
 struct Pin {
-  /// Index in PinArray::pins.
-  int id = 0;
-  /// 0 is the top pin; each further ring touches the one above it.
-  int ring = 0;
-  /// Unit vector from the centre of the ball; the axis along which the pin moves.
-  Vec3 position;
+  int id = 0;     // index in PinArray::pins
+  int ring = 0;   // 0 is the top pin; each further ring touches the one above it
+  Vec3 position;  // unit vector from the centre of the ball; the axis along which the pin moves
 };
 
 struct NearestPin {
   int id = 0;
-  /// Cosine of the angle between the pin and the requested direction: its fraction of the force.
-  double cosine = 0.0;
+  double cosine = 0.0;  // of the angle to the requested direction: its fraction of the force
 };
 
 /// Immutable after start-up; any thread.
 struct PinArray {
-  /// Name of the arrangement in device files and `device.describe`.
-  std::string arrangement;
+  std::string arrangement;  // name in device files and `device.describe`
   /// Ring by ring from the top; in each ring anticlockwise seen from above, beginning at the front.
   std::vector<Pin> pins;
-  /// ring_start[r] is the first id of ring r; one entry more than rings.
-  std::vector<std::size_t> ring_start;
+  std::vector<std::size_t> ring_start;  // first id of each ring; one entry more than rings
 
   std::size_t rings() const noexcept { return ring_start.size() - 1; }
   /// REQUIRES: r < rings().
@@ -50,15 +43,14 @@ struct PinArray {
 };
 
 /// The pin with the largest force by a field along `direction` (non-zero); the lowest id of equal
-/// ones. A hedgehog-86 has no pin straight down: the nearest ones are at a cosine of about 0.79.
-/// RT-safe.
+/// ones. A hedgehog-86 has none straight down: the nearest have a cosine of about 0.79. RT-safe.
 NearestPin nearest_pin(const PinArray& array, const Vec3& direction) noexcept;
 
-/// Pin pitch on the ball of the thesis, degrees: 2 cm (section 3.2: 10 pins a second are 20 cm/s).
+/// Pin pitch on the ball of the thesis: 2 cm (section 3.2: 10 pins a second are 20 cm/s).
 inline constexpr double kThesisPitchDeg = 23.5;
 
-/// Pin pitch of another ball, degrees: scaled by the median angle between nearest pins, rounded to
-/// 0.01. At most 120; kThesisPitchDeg with fewer than two pins.
+/// Pin pitch of another ball: scaled by the median angle between nearest pins, rounded to 0.01. At
+/// most 120; kThesisPitchDeg with fewer than two pins.
 double pin_pitch_deg(const PinArray& array);
 
 }  // namespace hedgehog::model

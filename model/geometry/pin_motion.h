@@ -10,19 +10,16 @@
 
 namespace hedgehog::model {
 
-/// Indexed by pin number.
+/// By pin number, outwards positive: `PinCurves::force_at_rest_n` of the coil, without the shields'
+/// counterforce, and the static `PinCurves::extension_mm`, without the pin's mass or a hand on it.
 struct PinMotion {
-  /// Coil force, N, outwards positive, on the pin at its rest position
-  /// (`PinCurves::force_at_rest_n`). Without the counterforce of the shields.
   std::vector<double> force_n;
-  /// Static displacement by that force from the rest position, mm, outwards positive
-  /// (`PinCurves::extension_mm`). Without the pin's mass and without a hand on it.
   std::vector<double> extension_mm;
   friend bool operator==(const PinMotion&, const PinMotion&) = default;
 };
 
-/// `slope_n_a`: see `force_on_pin`. Allocates: any thread except the control thread. REQUIRES:
-/// array.pins.size() == curves.size(), both of the same ball.
+/// `slope_n_a`: see `force_on_pin`. Allocates: not for the control thread. REQUIRES: one ball's
+/// array and curves.
 PinMotion pin_motion(const PinArray& array, const PinCurves& curves, const FieldDemand& field,
                      double slope_n_a);
 

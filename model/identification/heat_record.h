@@ -10,24 +10,19 @@ namespace hedgehog::model {
 
 /// Means over an interval with constant requested currents.
 struct HeatSample {
-  /// Duration, s, and end, s of device time.
-  double dt_s = 0.0;
-  double end_s = 0.0;
-  /// By winding: mean of voltage times current, of voltage (signed, V) and of current (signed, A).
-  std::array<double, 3> power_w{};
-  std::array<double, 3> voltage_v{};
-  std::array<double, 3> current_a{};
-  /// Number of measurements averaged; 0: the currents had not settled, so that V/I is not valid.
-  int count = 0;
+  double dt_s = 0.0;                  // duration
+  double end_s = 0.0;                 // device time
+  std::array<double, 3> power_w{};    // by winding: mean of voltage times current
+  std::array<double, 3> voltage_v{};  // signed
+  std::array<double, 3> current_a{};  // signed
+  int count = 0;  // measurements averaged; 0: currents had not settled, V/I is not valid
   bool fan_running = false;
-  /// Thermistor reading, C; nullopt: no reading.
-  std::optional<double> sensor_c;
+  std::optional<double> sensor_c;  // thermistor; nullopt: no reading
 };
 
 /// Contiguous samples. The state before a run is known from its first samples only.
 struct HeatRun {
-  /// True if the ball was at one temperature at the start.
-  bool began_at_rest = false;
+  bool began_at_rest = false;  // the ball was at one temperature
   std::vector<HeatSample> samples;
 };
 

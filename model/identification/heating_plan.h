@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Current sequence that identifies the thermal network of a ball: each winding heated in turn, then
-// all of them, then cooling with the fan and without it. The fan is controlled by the daemon.
+// Current sequence that identifies a ball's thermal network. The daemon controls the fan.
 #pragma once
 
 #include <string_view>
@@ -12,12 +11,9 @@ namespace hedgehog::model {
 
 /// One constant current. Trivially copyable.
 struct HeatingStep {
-  /// Name of the phase for display. Heating and the cooling after it are one phase of consecutive
-  /// steps.
-  std::string_view phase;
+  std::string_view phase;  // for display; heating and the cooling after it are one phase
   double duration_s = 0.0;
-  /// Winding currents, A, signed.
-  Vec3 current_a;
+  Vec3 current_a;  // of the windings, signed
 };
 
 /// About 31 minutes. The norm of no current is above `max_a`.

@@ -12,12 +12,11 @@
 
 namespace hedgehog::model {
 
-/// Capacities and resistances include the gain errors of this board's voltage and current
-/// measurement, as do the daemon's estimates based on them.
+/// Capacities and resistances include this board's gain errors of voltage and current, as do the
+/// daemon's estimates based on them.
 struct ThermalFound {
   ThermalModel thermal;
-  /// Relative standard deviation of each value except `sensor_winding`, from the fit's covariance
-  /// and residuals.
+  /// Relative standard deviations, from the fit's covariance and residuals.
   struct Shares {
     std::array<double, kCoils> winding_j_k{};
     double core_j_k = 0.0;
@@ -26,23 +25,18 @@ struct ThermalFound {
     double core_to_ambient_still_k_w = 0.0;
     double sensor_lag_s = 0.0;
   } deviation;
-  /// Relative tolerance of the constants relevant while a winding is hot: 2.5 standard deviations
-  /// plus the model error, at least the minimum of a device file. Without the value for the stopped
-  /// fan, which runs whenever the ball is warm.
+  /// Relative tolerance: 2.5 standard deviations plus the model error, at least the minimum of a
+  /// device file; `uncertainty` is that of a warm ball, whose fan runs.
   double uncertainty = 0.2;
-  double still_uncertainty = 0.2;
-  /// R25 relative to the given values, and ambient temperature, C.
-  std::array<double, kCoils> resistance_gain{1.0, 1.0, 1.0};
+  double still_uncertainty = 0.2;                             // of `core_to_ambient_still_k_w`
+  std::array<double, kCoils> resistance_gain{1.0, 1.0, 1.0};  // R25 relative to the given values
   double ambient_c = 25.0;
-  /// True if the thermistor fits any other winding much worse.
-  bool sensor_certain = false;
-  /// RMS of the weighted residuals: about 1 when the ball matches the model.
-  double misfit = 0.0;
+  bool sensor_certain = false;  // the thermistor fits any other winding much worse
+  double misfit = 0.0;  // RMS of the weighted residuals: about 1 when the ball matches the model
 };
 
-/// `expected`: initial values; converges from 40 % off. nullopt: the samples do not determine a
-/// network (too few, or too little heat: tolerance above 20 %), or the four-node model does not fit
-/// (misfit above 5).
+/// `expected`: initial values; converges from 40 % off. nullopt: too few samples or too little heat
+/// (tolerance above 20 %), or the four-node model does not fit (misfit above 5).
 std::optional<ThermalFound> fit_thermal(const std::vector<HeatRun>& runs,
                                         const std::array<double, kCoils>& r25_ohm,
                                         const ThermalModel& expected);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forecast of how long a current can flow, by the nominal model of the ball. Source of
-// `thermal.forecast`, `headroom_s`, `burst_s` and every admission.
+// Forecast of how long a current can flow, by the nominal model of the ball: `thermal.forecast`,
+// `headroom_s`, `burst_s` and every admission.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,10 @@
 
 namespace hedgehog::model {
 
-/// Requested currents: rms current of each winding, and peak norm in the pattern.
 struct RequestedCurrents {
-  Vec3 rms_a;
-  double peak_a = 0.0;
+  Vec3 rms_a;           // of each winding
+  double peak_a = 0.0;  // peak norm in the pattern
 
-  /// A constant current.
   static RequestedCurrents constant(const Vec3& a) noexcept { return {a, norm(a)}; }
 };
 
@@ -24,17 +22,14 @@ struct RequestedCurrents {
 struct Forecast {
   /// Until the limiter, by winding or skin temperature, first allows less than the requested peak.
   std::optional<double> seconds_to_derating;
-  /// Until a winding would reach `Limits::trip_c` (70 C) without derating.
-  std::optional<double> seconds_to_limit;
-  /// Peak (for a constant current: norm) to which the request can be scaled and flow without
-  /// derating indefinitely, A; at most `Limits::current_a`.
+  std::optional<double> seconds_to_limit;  // until a winding reaches `trip_c` without derating
+  /// Peak to which the request can be scaled to flow for ever without derating, <= `current_a`.
   double sustainable_a = 0.0;
   /// Coils off from now on: until the full `Limits::current_a` is allowed again.
   std::optional<double> recovery_s;
 };
 
-/// The temperature above which less than `peak_a` is allowed: the inverse of `allowed_current`. A
-/// peak above `limits.current_a` counts as `current_a`.
+/// Inverse of `allowed_current`. A peak above `limits.current_a` counts as `limits.current_a`.
 Celsius derating_temperature(const Limits& limits, Amps peak) noexcept;
 
 /// One ball with its limits. Immutable; any thread, no allocation, at most 0.5 ms per call.
@@ -43,8 +38,7 @@ class Forecaster {
   Forecaster(const CoilModel& coils, const ThermalModel& thermal, const Limits& limits) noexcept
       : coils_(coils), thermal_(thermal), limits_(limits) {}
 
-  /// Full forecast for `requested`. For `requested.peak_a` = 0 there is no derating, and
-  /// `sustainable_a` is that of the worst coil.
+  /// For a peak of 0 there is no derating, and `sustainable_a` is that of the worst coil.
   Forecast forecast(const ForecastStart& start, const RequestedCurrents& requested) const noexcept;
   /// `current_a` without a direction: each value for its worst coil.
   Forecast forecast_worst_coil(const ForecastStart& start, double current_a) const noexcept;
@@ -52,15 +46,14 @@ class Forecaster {
   /// `headroom_s`: seconds until `requested` is first derated.
   std::optional<double> seconds_to_derating(const ForecastStart& start,
                                             const RequestedCurrents& requested) const noexcept;
-  /// `burst_s`: how long the full `Limits::current_a` could flow from now (worst coil). None only
-  /// for limits so low that it never ends.
+  /// Duration of the full `Limits::current_a` (worst coil). None: limits so low that it never ends.
   std::optional<double> burst_s(const ForecastStart& start) const noexcept;
   std::optional<double> recovery_s(const ForecastStart& start) const noexcept;
   double sustainable_a(const ForecastStart& start,
                        const RequestedCurrents& requested) const noexcept;
 
  private:
-  /// The forecast without the recovery, which depends on `start` alone.
+  /// Without the recovery, which depends on `start` alone.
   Forecast under_load(const ForecastStart& start,
                       const RequestedCurrents& requested) const noexcept;
 

@@ -10,8 +10,7 @@ namespace hedgehog::model {
 
 class LimitedCurrents {
  public:
-  /// Zero: always allowed.
-  constexpr LimitedCurrents() noexcept = default;
+  constexpr LimitedCurrents() noexcept = default;  // zero: always allowed
 
   constexpr const Vec3& a() const noexcept { return a_; }
 

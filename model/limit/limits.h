@@ -5,25 +5,16 @@
 
 namespace hedgehog::model {
 
-/// Currents are Euclidean norms over the three windings, ampere; temperatures degrees Celsius.
-/// Trivially copyable.
+/// Currents are Euclidean norms over the three windings. Trivially copyable.
 struct Limits {
-  /// Maximum current (thesis section 3.1.1: 15 A for about 30 s). 0.5..15.
-  double current_a = 15.0;
-  /// Continuous current (thesis section 3.1.1: 5 A). 0.5..current_a.
-  double continuous_a = 5.0;
-  /// Perception threshold (thesis section 3.3, experiment 1).
-  double felt_a = 2.1;
-  /// Full current up to here; above, I^2 falls linearly to continuous_a^2 at `sustain_c`.
-  double derate_from_c = 60.0;
-  /// continuous_a here; above, the current falls to zero at `zero_c`.
-  double sustain_c = 67.0;
-  double zero_c = 69.0;
-  /// The watchdog trips at this temperature held for 50 ms.
-  double trip_c = 70.0;
-  /// `device.arm` after a thermal trip needs a temperature below max(rearm_c, ambient estimate + 10
-  /// K).
-  double rearm_c = 45.0;
+  double current_a = 15.0;      // 0.5..15 (thesis section 3.1.1: 15 A for about 30 s)
+  double continuous_a = 5.0;    // 0.5..current_a (thesis section 3.1.1: 5 A)
+  double felt_a = 2.1;          // perception threshold (thesis section 3.3, experiment 1)
+  double derate_from_c = 60.0;  // full current; above, I^2 falls linearly to continuous_a^2
+  double sustain_c = 67.0;      // continuous_a; above, the current falls linearly
+  double zero_c = 69.0;         // no current
+  double trip_c = 70.0;         // held for 50 ms, the watchdog trips
+  double rearm_c = 45.0;        // for `device.arm` after a thermal trip (`rearm_below_c`)
   friend constexpr bool operator==(const Limits&, const Limits&) noexcept = default;
 };
 

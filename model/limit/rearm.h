@@ -8,8 +8,7 @@
 
 namespace hedgehog::model {
 
-/// max(limits.rearm_c, ambient + 10 K), degrees Celsius: in hot surroundings the ball never cools
-/// to `rearm_c`. Used by the controller and in its messages.
+/// max(limits.rearm_c, ambient + 10 K): in hot surroundings the ball never cools to `rearm_c`.
 inline double rearm_below_c(const Limits& limits, double ambient_c) noexcept {
   constexpr double kAboveAmbientK = 10.0;
   return std::max(limits.rearm_c, ambient_c + kAboveAmbientK);

@@ -10,8 +10,7 @@
 
 namespace hedgehog::model {
 
-/// Current allowed at `hottest`: 15 A up to 60 C; I^2 falls linearly to 25 at 67 C, then the
-/// current to zero at 69 C (values from `limits`). NaN or infinite: zero.
+/// Current allowed at `hottest` by the law of `Limits`. NaN or infinite: zero.
 Amps allowed_current(const Limits& limits, Celsius hottest) noexcept;
 
 /// Real-time safe; trivially copyable.
@@ -20,21 +19,18 @@ class ThermalLimiter {
   ThermalLimiter() noexcept = default;
   explicit ThermalLimiter(const Limits& limits) noexcept : limits_(limits) {}
 
-  /// New limits; they take effect at the next `limit`.
+  /// Takes effect at the next `limit`, as does the additional ceiling by the skin temperature.
   void set_limits(const Limits& limits) noexcept { limits_ = limits; }
   const Limits& limits() const noexcept { return limits_; }
-  /// Additional ceiling by the skin temperature; takes effect as `set_limits`.
   void set_ceiling(Amps ceiling) noexcept { ceiling_ = ceiling; }
-  /// Norm allowed at the last `limit`, ampere: `allowed_current` at the low-pass filtered
-  /// temperature, at most the ceiling.
+  /// Norm at the last `limit`: `allowed_current` at the filtered temperature, at most the ceiling.
   Amps allowed() const noexcept { return allowed_; }
-  /// True if the last `limit` replaced a non-finite request or one above 1000 A by zero.
+  /// The last `limit` replaced a non-finite request or one above 1000 A by zero.
   bool rejected() const noexcept { return rejected_; }
 
-  /// `wanted` scaled as a whole (keeping its direction) to the current allowed at `estimate`; zero
-  /// if it is not finite. Windings not yet measured after a restart are limited to
-  /// `limits.continuous_a`; undriven ones do not limit the others. Call once every `dt_s`, also
-  /// with zero: the temperature is low-pass filtered here against noise.
+  /// `wanted` scaled as a whole to the current allowed at `estimate`; zero if it is not finite.
+  /// Driven windings not yet measured after a restart limit it to `limits.continuous_a`. Call once
+  /// every `dt_s`, also with zero: the temperature is low-pass filtered here against noise.
   LimitedCurrents limit(const CoilCurrents& wanted, const ThermalEstimate& estimate,
                         double dt_s = kTickSeconds) noexcept;
 

@@ -38,12 +38,10 @@ struct OffsetGrid {
   double last_mm = 12.5;
   double step_mm = 0.5;
 
-  /// first, first + step, ... up to last.
-  std::vector<double> offsets_mm() const;
+  std::vector<double> offsets_mm() const;  // first, first + step, ... up to last
 };
 
-/// The axes of thesis Fig. 2.10.
-inline constexpr OffsetGrid kThesisGrid{};
+inline constexpr OffsetGrid kThesisGrid{};  // the axes of thesis Fig. 2.10
 
 /// All vectors have the same length.
 struct ForceCurve {
@@ -55,9 +53,8 @@ struct ForceCurve {
 /// Faster than point by point: each face position is computed once.
 ForceCurve force_curve(const PinForce& force, const OffsetGrid& grid = kThesisGrid);
 
-/// One for each class, to `kSameAngleDeg` of each pair's angle. With magnets removed, each pin may
-/// be a class of its own, but the angles are those of the full array: each is computed once
-/// (GP(8,0) without two pins: 640 classes, 0.2 s instead of 9).
+/// One for each class, to `kSameAngleDeg` of each pair's angle. Equal angles are computed once,
+/// also those of different classes (GP(8,0) without two pins: 640 classes, 0.2 s).
 std::vector<ForceCurve> force_curves(const std::vector<PinClass>& classes, const ArraySizes& sizes,
                                      const ForceSettings& settings, const OffsetGrid& grid);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An arrangement with sizes: fit, gaps and mass of the magnets. Design time and start-up:
-// allocates.
+// An arrangement with sizes: fit, gaps and mass. Design time and start-up: allocates.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +14,7 @@
 
 namespace hedgehog::model {
 
-/// All pins are equal, and so are all shields. Shields have the opposite polarity; inner faces are
-/// on the sphere.
+/// All pins are equal, and so are all shields, of opposite polarity; inner faces on the sphere.
 struct ArraySizes {
   CylinderMagnet pin = kThesisPinMagnet;
   CylinderMagnet shield = kThesisShieldMagnet;
@@ -44,14 +42,13 @@ struct MagnetGap {
   double gap_mm = 0.0;
 };
 
-/// The smallest gap of each existing pair of kinds, pins at offset 0: pin-pin, pin-shield,
-/// shield-shield. Equal sizes make the smallest angle the smallest gap.
+/// Of each existing pair of kinds, pins at offset 0: pin-pin, pin-shield, shield-shield.
 std::vector<MagnetGap> smallest_gaps(const Arrangement& arrangement, const ArraySizes& sizes);
 
 /// nullopt if the array can be built; else the error: invalid sizes, or the worst overlap.
 std::optional<MagnetError> check_fit(const Arrangement& arrangement, const ArraySizes& sizes);
 
-/// Pins and shields together, without plastic, g.
+/// Pins and shields together, without plastic.
 double magnets_mass_g(const Arrangement& arrangement, const ArraySizes& sizes) noexcept;
 
 }  // namespace hedgehog::model

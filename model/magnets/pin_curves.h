@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lookup tables of each pin's offset as a function of coil force, for the live twin. Built once at
-// start-up; lookups do not allocate; any thread.
+// Tables of each pin's offset by coil force, built at start-up. Lookups: any thread, no allocation.
 #pragma once
 
 #include <array>
@@ -13,11 +12,10 @@
 
 namespace hedgehog::model {
 
-/// Range of a magnet's offset, 0 with its inner face on the sphere. Stops: shell below, casing
-/// above (thesis section 2.4: 1.5 mm of travel).
+/// Range of a magnet's offset, 0 with its inner face on the sphere (thesis section 2.4).
 struct PinTravel {
-  double lowest_mm = 0.0;
-  double highest_mm = 1.5;
+  double lowest_mm = 0.0;   // stopped by the shell
+  double highest_mm = 1.5;  // stopped by the casing
 };
 
 /// Each pin is treated alone: the others stay at offset 0, as in the thesis' curves.
@@ -27,23 +25,19 @@ class PinCurves {
   PinCurves(const Arrangement& arrangement, const ArraySizes& sizes, const PinTravel& travel = {});
 
   std::size_t size() const noexcept { return class_of_.size(); }
-  /// Median of the pins' rest positions, mm: that of the typical pin, to which the device file's
-  /// force slope refers (thesis section 3.1.1 measured one of the most common pins).
+  /// Median: that of the typical pin, to which the device file's force slope refers (thesis 3.1.1).
   double typical_rest_mm() const noexcept { return typical_rest_mm_; }
-  /// Force on a pin at its rest position, N, for `typical_force_n` on the typical pin at its own: a
-  /// pin nearer to the coil receives more (5 % at 0.5 mm).
+  /// For `typical_force_n` on the typical pin at rest: nearer pins receive more (5 % at 0.5 mm).
   double force_at_rest_n(std::size_t pin, double typical_force_n) const noexcept {
     return typical_force_n * classes_[class_of_[pin]].share_at_rest;
   }
-  /// Offset without any coil force, mm. A pin pulled inwards beyond its travel is on the shell; a
-  /// push must first overcome that preload. REQUIRES: pin < size(), in the order of the
-  /// arrangement's pins.
+  /// Offset without coil force; a pin pulled onto the shell has a preload that a push must
+  /// overcome. REQUIRES: pin < size(), in the order of the arrangement's pins.
   double rest_mm(std::size_t pin) const noexcept { return offset_mm(pin, 0.0); }
-  /// Offset under a coil force, mm. `coil_force_n`: outward, for this pin at the typical rest
-  /// position (`pin_forces`); the curve includes its change with the offset. A force that expels
-  /// the pin, or pulls it in entirely, saturates at the end of its travel; NaN counts as 0.
+  /// Offset under an outward coil force, given for this pin at the typical rest (`pin_forces`): its
+  /// change with the offset is included. Saturates at the ends of the travel; NaN counts as 0.
   double offset_mm(std::size_t pin, double coil_force_n) const noexcept;
-  /// Displacement of the pin from rest by the force, mm; negative: inwards.
+  /// Displacement from rest; negative: inwards.
   double extension_mm(std::size_t pin, double coil_force_n) const noexcept {
     return offset_mm(pin, coil_force_n) - rest_mm(pin);
   }
@@ -52,14 +46,11 @@ class PinCurves {
                      std::span<double> extensions_mm) const noexcept;
 
  private:
-  /// Steps of 0.05 mm over the thesis' travel: linear interpolation is within 0.001 mm.
-  static constexpr std::size_t kPoints = 31;
-  /// Coil force that holds a pin at each of the points; non-decreasing.
-  using HoldingForce = std::array<double, kPoints>;
+  static constexpr std::size_t kPoints = 31;         // every 0.05 mm: interpolates within 0.001 mm
+  using HoldingForce = std::array<double, kPoints>;  // of a pin at each point; non-decreasing
   struct Class {
     HoldingForce holding{};
-    /// Force at rest relative to that at the typical rest position.
-    double share_at_rest = 1.0;
+    double share_at_rest = 1.0;  // force at rest relative to that at the typical rest
   };
 
   double median_rest_mm() const;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fan control: full duty if any winding is above 40 C or the 30 s mean of |I| above 3 A, off below
-// 35 C.
+// Fan control: full duty with a winding above 40 C or a 30 s mean of |I| above 3 A, off below 35 C.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,7 @@ class Fan {
   static constexpr double kMeanS = 30.0;
   static constexpr std::uint8_t kFullDuty = 255;
 
-  /// New state of a fan in state `running` at this hottest temperature, C, and mean of |I|, A.
+  /// New state of a fan in state `running` at this hottest temperature and mean of |I|.
   static bool runs(bool running, double hottest_c, double mean_a) noexcept;
 
   /// Advances by `dt_s` with the hottest temperature (infinite: unknown) and |I|. Returns the duty

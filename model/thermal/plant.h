@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Simulated plant: three windings with resistance and inductance, thermal network, thermistor, fan,
-// pins and ambient. Driven by the simulated board; tests and campaigns draw plants that differ from
-// the device file. Constants: model/thermal-model.md.
+// pins and ambient, for the simulated board and fault campaigns. Constants: model/thermal-model.md.
 #pragma once
 
 #include <array>
@@ -15,34 +14,27 @@
 
 namespace hedgehog::model {
 
-/// One ball and its surroundings. Every constant may differ from the nominal one. Trivially
-/// copyable.
+/// One ball and its surroundings; any constant may differ from nominal. Trivially copyable.
 struct PlantParameters {
   std::array<double, kCoils> winding_j_k{58.81, 58.81, 58.81};
   double core_j_k = 84.4;
   std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
-  double core_to_ambient_fan_k_w = 1.8;  // fan at full speed
-  double core_to_ambient_still_k_w =
-      5.0;  // fan stopped; in between the conductance is linear in speed
+  double core_to_ambient_fan_k_w = 1.8;    // fan at full speed
+  double core_to_ambient_still_k_w = 5.0;  // fan stopped; conductance is linear in its speed
   std::array<double, kCoils> r25_ohm{0.45, 0.45, 0.45};
   double inductance_h = 1.5e-3;
-  /// Voltage that opposes the current while a bridge sleeps and the winding freewheels, volt.
-  double freewheel_v = 0.8;
+  double freewheel_v = 0.8;  // opposes the current while a bridge sleeps and the winding freewheels
   double supply_v = 12.0;
   int sensor_winding = 0;
   double sensor_lag_s = 2.0;
-  /// Standard deviation of one thermistor reading, K.
-  double sensor_noise_k = 0.0;
+  double sensor_noise_k = 0.0;  // standard deviation of one reading
   double fan_full_rpm = 7200.0;
   double fan_spin_up_s = 1.0;
-  /// Steady-state skin temperature as a share of the way from ambient to core, and its lag.
-  double skin_share = 0.7;
+  double skin_share = 0.7;  // of the way from ambient to core, in the steady state
   double skin_lag_s = 60.0;
-  /// True CoilModel::matrix of the windings, and force slope on a pin aimed at, N / A.
-  Mat3 coil_matrix;
-  double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
-  /// Seed of the noise.
-  std::uint64_t seed = 1;
+  Mat3 coil_matrix;                                               // true CoilModel::matrix
+  double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;  // on a pin aimed at
+  std::uint64_t seed = 1;                                         // of the noise
 
   /// The ball that matches its device file.
   static PlantParameters of(const CoilModel& coils, const ThermalModel& thermal) noexcept;
@@ -50,15 +42,11 @@ struct PlantParameters {
 
 /// Changes of a ball since it was built. Trivially copyable.
 struct PlantErrors {
-  /// True R25 relative to the parameters'.
-  std::array<double, kCoils> resistance_gain{1.0, 1.0, 1.0};
-  /// Share of shorted turns: R decreases with it, L with its square.
-  std::array<double, kCoils> shorted_turns{};
-  /// Lost share of the thermistor's contact to its winding: by this share it follows the core.
-  std::array<double, kCoils> lost_contact{};
-  /// Gain of the conductance from core to ambient, and of all heat capacities.
-  double cooling_gain = 1.0;
-  double heat_capacity_gain = 1.0;
+  std::array<double, kCoils> resistance_gain{1.0, 1.0, 1.0};  // R25 relative to the parameters'
+  std::array<double, kCoils> shorted_turns{};  // share: R decreases with it, L with its square
+  std::array<double, kCoils> lost_contact{};   // share by which a thermistor follows the core
+  double cooling_gain = 1.0;                   // of the conductance from core to ambient
+  double heat_capacity_gain = 1.0;             // of all nodes
 };
 
 /// Connection of one winding during a step.
@@ -72,47 +60,38 @@ enum class BridgeState : std::uint8_t {
 struct PlantInputs {
   std::array<BridgeState, kCoils> bridge{BridgeState::kAsleep, BridgeState::kAsleep,
                                          BridgeState::kAsleep};
-  /// Mean bridge voltage (duty x supply), volt; only for driven windings.
-  Vec3 voltage_v;
-  /// 0..1.
-  double fan_duty = 0.0;
-  /// Seized fan: it spins down at any duty.
-  bool fan_stopped = false;
+  Vec3 voltage_v;            // mean bridge voltage (duty x supply); only for driven windings
+  double fan_duty = 0.0;     // 0..1
+  bool fan_stopped = false;  // seized: it spins down at any duty
 };
 
-/// Real-time safe and trivially copyable; no thread of its own. Equal parameters and inputs give
-/// equal results.
+/// Real-time safe, trivially copyable, deterministic.
 class Plant {
  public:
   Plant() noexcept : Plant(PlantParameters{}, 25.0) {}
   /// Everything at `ambient_c`, no current, fan stopped.
   Plant(const PlantParameters& parameters, double ambient_c) noexcept;
 
-  /// Advances by `dt_s` (the control tick of 1 ms; at most 20 ms). Currents are exact for a
-  /// constant voltage within the step.
+  /// `dt_s`: a tick of 1 ms, at most 20 ms. Currents are exact for a constant voltage within it.
   void step(const PlantInputs& inputs, double dt_s) noexcept;
 
-  /// Advances heat only, for campaigns: `dt_s` (at most 100 ms) with these mean squares of the
-  /// winding currents, A^2. The currents are unchanged.
+  /// Heat only, for campaigns: `dt_s` at most 100 ms. The currents are unchanged.
   void step_thermal(const Vec3& mean_square_a2, double fan_duty, double dt_s) noexcept;
 
-  /// Winding currents at the end of the last step, and the mean of their squares over it.
+  /// Of the windings at the end of the last step, and the mean of their squares over it.
   const Vec3& current_a() const noexcept { return current_a_; }
   const Vec3& mean_square_a2() const noexcept { return mean_square_a2_; }
-  /// The thermistor's last reading, with lag and noise.
-  double sensor_c() const noexcept { return reading_c_; }
-  /// The same without noise; and that of a thermistor on winding `coil`, 0..2.
+  double sensor_c() const noexcept { return reading_c_; }  // last reading, with lag and noise
+  /// The same without noise; and that of a thermistor on winding `coil`.
   double sensor_body_c() const noexcept { return thermistor_c(parameters_.sensor_winding); }
   double thermistor_c(int coil) const noexcept {
     return thermistor_c_[static_cast<std::size_t>(coil)];
   }
-  /// Skin temperature at the hand, C.
-  double skin_c() const noexcept { return skin_c_; }
+  double skin_c() const noexcept { return skin_c_; }  // at the hand
   double fan_rpm() const noexcept { return fan_speed_ * parameters_.fan_full_rpm; }
   const ThermalState& heat() const noexcept { return heat_; }
   double hottest_winding_c() const noexcept;
-  /// Resistance of winding `coil` (0..2) at its temperature now, ohm.
-  double resistance_ohm(int coil) const noexcept;
+  double resistance_ohm(int coil) const noexcept;  // at its present temperature
   double ambient_c() const noexcept { return ambient_c_; }
   /// Pin forces and displacements by the true currents. Allocates: not in a step.
   PinMotion pins(const PinArray& array, const PinCurves& curves) const;
@@ -121,18 +100,16 @@ class Plant {
   void set_ambient(double ambient_c) noexcept { ambient_c_ = ambient_c; }
   void set_supply(double supply_v) noexcept { parameters_.supply_v = supply_v; }
   void set_errors(const PlantErrors& errors) noexcept { errors_ = errors; }
-  /// Warm start: sets the four nodes, thermistors at their windings' temperatures, skin settled.
+  /// Warm start: thermistors at their windings' temperatures, skin settled.
   void set_heat(const ThermalState& heat) noexcept;
 
  private:
   void step_winding(int coil, BridgeState bridge, double voltage_v, double dt_s) noexcept;
   void step_fan(double duty, double dt_s) noexcept;
-  /// Substeps as required by the fastest node.
-  void step_heat(double dt_s) noexcept;
+  void step_heat(double dt_s) noexcept;  // in substeps as required by the fastest node
   void step_nodes(double dt_s) noexcept;
   double to_ambient_w_k() const noexcept;
-  /// Rate of the fastest node alone, 1/s.
-  double fastest_per_s() const noexcept;
+  double fastest_per_s() const noexcept;  // rate of the fastest node alone
   void step_thermistors(double dt_s) noexcept;
   double inductance_h(std::size_t coil) const noexcept;
 

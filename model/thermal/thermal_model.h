@@ -10,23 +10,21 @@
 
 namespace hedgehog::model {
 
-/// Heat capacities in J/K and thermal resistances in K/W of one ball. Trivially copyable.
+/// Heat capacities and thermal resistances of one ball. Trivially copyable.
 struct ThermalModel {
   std::array<double, kCoils> winding_j_k{58.81, 58.81, 58.81};
   double core_j_k = 84.4;
   std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
   double core_to_ambient_fan_k_w = 1.8;
   double core_to_ambient_still_k_w = 5.0;
-  /// Winding (0..2) of the thermistor, and its first-order lag, seconds.
-  int sensor_winding = 0;
-  double sensor_lag_s = 2.0;
-  /// Fan speed at full duty, 1/min.
-  double fan_full_rpm = 7200.0;
+  int sensor_winding = 0;        // that of the thermistor, 0..2
+  double sensor_lag_s = 2.0;     // first-order lag of the thermistor
+  double fan_full_rpm = 7200.0;  // at full duty
 
   friend constexpr bool operator==(const ThermalModel&, const ThermalModel&) noexcept = default;
 };
 
-/// Temperatures of the four nodes, degrees Celsius.
+/// Temperatures of the four nodes.
 struct ThermalState {
   std::array<double, kCoils> winding_c{25.0, 25.0, 25.0};
   double core_c = 25.0;

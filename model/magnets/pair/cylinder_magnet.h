@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An axially magnetised cylinder and its exact field: uniformly magnetised with the permeability of
-// vacuum (a real N45 has 1.05, which is neglected), so that it acts as two charged end faces.
-// Lengths here and in all of model/magnets are millimetres, as in drawings. Pure; any thread.
+// An axially magnetised cylinder and its exact field, that of two charged end faces (permeability
+// of vacuum; a real N45 has 1.05). Lengths in model/magnets are millimetres. Pure; any thread.
 #pragma once
 
 #include <numbers>
@@ -10,12 +9,9 @@
 
 namespace hedgehog::model {
 
-/// Permeability of vacuum mu0, H/m; the CODATA value since 2019 differs by 2e-10 of it.
-inline constexpr double kVacuumPermeability = 4e-7 * std::numbers::pi;
-/// Residual flux density of N45 (thesis section 2.3).
-inline constexpr double kN45RemanenceT = 1.37;
-/// Sintered neodymium magnets, g/mm^3.
-inline constexpr double kMagnetDensityGMm3 = 7.5e-3;
+inline constexpr double kVacuumPermeability = 4e-7 * std::numbers::pi;  // mu0, H/m
+inline constexpr double kN45RemanenceT = 1.37;                          // thesis section 2.3
+inline constexpr double kMagnetDensityGMm3 = 7.5e-3;                    // sintered neodymium
 
 /// Polarity: see `MagnetPair`.
 struct CylinderMagnet {
@@ -35,20 +31,19 @@ inline constexpr CylinderMagnet kThesisShieldMagnet{4.0, 10.0};
 /// remanence in (0, 2] T. `what`: name of the magnet in the sentence, e.g. "the shield".
 std::optional<std::string> problem_with(const CylinderMagnet& magnet, const std::string& what);
 
-/// Dipole moment, A m^2: remanence * volume / mu0.
+/// Dipole moment: remanence * volume / mu0.
 double moment_a_m2(const CylinderMagnet& magnet) noexcept;
 double mass_g(const CylinderMagnet& magnet) noexcept;
 
-/// Flux density in the plane through the axis, tesla.
+/// Flux density in the plane through the axis.
 struct AxialField {
   double radial_t = 0.0;
   double axial_t = 0.0;
 };
 
 /// The field at `rho_mm` >= 0 from the axis and `z_mm` above the middle of the magnet, which points
-/// up: Derby and Olbert, "Cylindrical magnets and ideal solenoids" (2010), with both complete
-/// elliptic integrals of each end from one arithmetic-geometric mean. Accuracy about 1e-13 of the
-/// largest term; diverges on the rims.
+/// up: Derby and Olbert, "Cylindrical magnets and ideal solenoids" (2010). Accuracy about 1e-13 of
+/// the largest term; diverges on the rims.
 AxialField field_of(const CylinderMagnet& magnet, double rho_mm, double z_mm) noexcept;
 
 }  // namespace hedgehog::model

@@ -13,10 +13,9 @@ struct DiskRule {
   static constexpr int kMaxOrder = 40;
 
   int order = 0;
-  /// As a fraction of the disk's radius; the weights sum to 1.
-  std::array<double, kMaxOrder> radius{};
-  std::array<double, kMaxOrder> weight{};
-  /// Cosine and sine of the 2n midpoints from 0 to pi; the other half is symmetric.
+  std::array<double, kMaxOrder> radius{};  // as a fraction of the disk's
+  std::array<double, kMaxOrder> weight{};  // the sum is 1
+  /// Of the 2n midpoints from 0 to pi; the other half is symmetric.
   std::array<double, 2 * kMaxOrder> cosine{};
   std::array<double, 2 * kMaxOrder> sine{};
 };

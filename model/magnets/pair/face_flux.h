@@ -11,8 +11,7 @@ namespace hedgehog::model {
 struct FaceForce {
   double force_n = 0.0;
   double error_n = 0.0;
-  /// Order of the disk rule used; 0: not computed yet.
-  int order = 0;
+  int order = 0;  // of the disk rule; 0: not computed yet
 };
 
 /// Flux through any end face on the subject's axis, at one angle.
@@ -20,8 +19,7 @@ class FaceFlux {
  public:
   FaceFlux(const MagnetPair& pair, double angle_deg, double other_offset_mm) noexcept;
 
-  /// The face at `distance_mm` from the sphere's centre, with the order expected to suffice for
-  /// `accuracy`.
+  /// At `distance_mm` from the sphere's centre, with the order expected to suffice.
   FaceForce first(double distance_mm, double accuracy) const noexcept;
   /// The same face with the order expected to reduce the error to `tolerance_n`; at least one more
   /// than `known`. REQUIRES: 0 < known.order < DiskRule::kMaxOrder.
@@ -30,8 +28,7 @@ class FaceFlux {
  private:
   struct Integral {
     double force_n = 0.0;
-    /// Sum of absolute values over the face.
-    double gross_n = 0.0;
+    double gross_n = 0.0;  // sum of absolute values over the face
   };
   Integral integral(double distance_mm, int order) const noexcept;
   double axial_field(double across_mm, double beside_mm, double distance_mm) const noexcept;
@@ -47,8 +44,7 @@ class FaceFlux {
   double newton_per_tesla_;
 };
 
-/// Refines the two faces in turn until top - bottom reaches `accuracy` as defined in
-/// `ForceSettings`.
+/// Refines the faces in turn until top - bottom reaches the accuracy (`ForceSettings`).
 PairForce settle(const FaceFlux& flux, double bottom_mm, FaceForce& bottom, double top_mm,
                  FaceForce& top, double accuracy) noexcept;
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PairForce(alpha, o) of the thesis (section 2.2, Fig. 2.5): the force along its own axis on one of
-// two magnets on a sphere. Computed from the charged-cylinder model instead of the thesis' finite
-// elements: the other magnet's field, integrated over both end faces (Gauss in the square of the
-// radius, midpoints over half the disk; the other half is symmetric). Pure; any thread.
+// two magnets on a sphere, by charged cylinders instead of the thesis' finite elements
+// (model/magnets/forces.md). Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -24,9 +23,7 @@ enum class ForceModel : std::uint8_t {
 std::string_view name_of(ForceModel model) noexcept;
 std::optional<ForceModel> force_model_named(std::string_view name) noexcept;
 
-/// Angle from which the hybrid uses the dipole model.
-inline constexpr double kHybridAngleDeg = 30.0;
-/// True if `model` uses dipoles at this angle.
+inline constexpr double kHybridAngleDeg = 30.0;  // from here the hybrid uses dipoles
 constexpr bool takes_dipoles(ForceModel model, double angle_deg) noexcept {
   return model == ForceModel::kDipole ||
          (model == ForceModel::kHybrid && angle_deg >= kHybridAngleDeg);
@@ -39,41 +36,34 @@ constexpr double clamped(double accuracy) noexcept {
   return std::clamp(accuracy, kFinestAccuracy, kCoarsestAccuracy);
 }
 
-/// Settings of the force computation.
 struct ForceSettings {
   ForceModel model = ForceModel::kExact;
-  /// Relative error of each pair's result against the model's exact value (near a zero: relative to
-  /// 1e-4 of the force on one face). Not reached where magnets almost touch: see `error_n`.
+  /// Relative error of each pair's result (near a zero: relative to 1e-4 of the force on one face).
+  /// Not reached where magnets almost touch: see `error_n`.
   double accuracy = 1e-6;
 };
 
 /// Two magnets with inner faces on one sphere, axes through its centre, both with north outwards.
 /// For opposite polarity the force changes its sign.
 struct MagnetPair {
-  /// The magnet on which the force acts.
-  CylinderMagnet subject = kThesisPinMagnet;
+  CylinderMagnet subject = kThesisPinMagnet;  // the force acts on it
   CylinderMagnet other = kThesisShieldMagnet;
   double sphere_radius_mm = 35.0;
 };
 
 /// The offset of a magnet is the distance of its inner face from the sphere, outside positive.
 struct PairPlace {
-  /// Between the two axes, 0..180.
-  double angle_deg = 0.0;
+  double angle_deg = 0.0;  // between the two axes, 0..180
   double offset_mm = 0.0;
   double other_offset_mm = 0.0;
 };
 
 struct PairForce {
-  /// Force on the subject along its own axis, outwards positive, N.
-  double force_n = 0.0;
-  /// Bound on the quadrature error, N, by comparison of two orders. Without the model error: 0 for
-  /// dipoles.
-  double error_n = 0.0;
+  double force_n = 0.0;  // on the subject along its own axis, outwards positive
+  double error_n = 0.0;  // bound on the quadrature error, without the model's: 0 for dipoles
 };
 
-/// REQUIRES: valid sizes, gap_mm(pair, place) > 0 (for overlapping magnets the force is meaningless
-/// and the accuracy may not be reached; see error_n).
+/// REQUIRES: valid sizes, gap_mm(pair, place) > 0; overlapping magnets have no meaningful force.
 PairForce pair_force(const MagnetPair& pair, const PairPlace& place,
                      const ForceSettings& settings = {}) noexcept;
 
@@ -83,7 +73,7 @@ inline PairForce pair_force(const MagnetPair& pair, double angle_deg, double off
   return pair_force(pair, {angle_deg, offset_mm, 0.0}, {model, accuracy});
 }
 
-/// Smallest distance between the two bodies, mm; negative: depth of the overlap.
+/// Smallest distance between the two bodies; negative: depth of the overlap.
 double gap_mm(const MagnetPair& pair, const PairPlace& place) noexcept;
 
 }  // namespace hedgehog::model
