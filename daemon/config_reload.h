@@ -17,7 +17,7 @@ namespace hedgehog::daemon {
 /// io thread.
 class ConfigReload {
  public:
-  using Loaded = boost::system::result<config::Config, config::ConfigErrors>;
+  using Loaded = boost::system::result<config::Config, keys::FileErrors>;
   /// Called on the thread of this class with the configuration in use.
   using Load = std::function<Loaded(const config::Config&)>;
 

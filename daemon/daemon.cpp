@@ -199,7 +199,7 @@ asio::awaitable<void> Daemon::shut_down(std::string reason) {
 void Daemon::apply(ConfigReload::Loaded fresh) {
   if (fresh.has_error()) {
     spdlog::error("the new configuration is invalid; the old one remains in effect:\n{}",
-                  config::to_string(fresh.error()));
+                  keys::to_string(fresh.error()));
     manager_.ready(status_line());
     return;
   }

@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   }
   const auto settings = config::load_config(paths, options.overrides);
   if (settings.has_error()) {
-    std::cerr << config::to_string(settings.error());
+    std::cerr << hedgehog::keys::to_string(settings.error());
     return EX_CONFIG;
   }
   if (options.print_config) std::cout << config::print_config(*settings);

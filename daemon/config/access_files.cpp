@@ -8,6 +8,9 @@
 #include "access/certificate.h"
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 struct TlsAddress {
@@ -32,7 +35,7 @@ void resolve_path(std::string& file, const Config& config, std::string_view name
 
 void resolve_access(Config& config, const Origins& origins, const std::string& config_file,
                     const std::function<base::FileText(const std::string&)>& reader,
-                    ConfigErrors& errors) {
+                    FileErrors& errors) {
   AccessSettings& access = config.access;
   resolve_path(access.tokens_file, config, access::kTokenFile);
   resolve_path(access.certificate_file, config, access::kCertificateFile);

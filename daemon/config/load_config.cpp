@@ -5,15 +5,18 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/keys/json_text.h"
+#include "base/keys/key_tree.h"
 #include "daemon/config/access_files.h"
-#include "daemon/config/json_text.h"
 #include "daemon/config/keys/config_keys.h"
 #include "daemon/config/keys/device_keys.h"
-#include "daemon/config/keys/key_tree.h"
 #include "daemon/config/keys/sensor_keys.h"
 #include "daemon/config/keys/unix_role_keys.h"
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 class Loader {
@@ -51,7 +54,7 @@ class Loader {
     resolve_access(draft_.config, origins_, paths_.config_file, reader_, errors_);
   }
 
-  boost::system::result<Config, ConfigErrors> finish() {
+  boost::system::result<Config, FileErrors> finish() {
     if (!errors_.empty()) return std::move(errors_);
     return std::move(draft_.config);
   }
@@ -184,7 +187,7 @@ class Loader {
   KnownGeometries possible_;
   Draft draft_;
   Origins origins_;
-  ConfigErrors errors_;
+  FileErrors errors_;
 };
 
 /// The draft for printing: all limits in effect are set explicitly.
@@ -197,10 +200,10 @@ Draft as_draft(const Config& config) {
 
 }  // namespace
 
-boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
-                                                        const Overrides& overrides,
-                                                        const FileReader& reader,
-                                                        const Config* running) {
+boost::system::result<Config, FileErrors> load_config(const Paths& paths,
+                                                      const Overrides& overrides,
+                                                      const FileReader& reader,
+                                                      const Config* running) {
   Loader loader(paths, reader, running);
   loader.read_files();
   loader.apply(overrides);

@@ -10,9 +10,9 @@
 
 #include <boost/system/result.hpp>
 
+#include "base/keys/file_error.h"
 #include "base/regular_file.h"
 #include "daemon/config/config.h"
-#include "daemon/config/config_error.h"
 #include "daemon/config/paths.h"
 
 namespace hedgehog::config {
@@ -37,10 +37,10 @@ base::FileText read_file(const std::string& path);
 /// Returns all errors at once. Does not check whether backend "usb" can be started. Blocks on the
 /// disk; start-up and reload only. `running`: its geometries are not checked again, which takes up
 /// to seconds.
-boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
-                                                        const Overrides& overrides,
-                                                        const FileReader& reader = read_file,
-                                                        const Config* running = nullptr);
+boost::system::result<Config, keys::FileErrors> load_config(const Paths& paths,
+                                                            const Overrides& overrides,
+                                                            const FileReader& reader = read_file,
+                                                            const Config* running = nullptr);
 
 /// Access settings after a reload. The lists of the Unix socket remain those of `running` if only
 /// the new ones give `operate` to everybody: clients accepted by the old lists need not be in the

@@ -21,7 +21,7 @@ struct FakeFiles {
               .state_directory = "/var/lib/hedgehog",
               .runtime_directory = "/run/hedgehog"};
 
-  boost::system::result<Config, ConfigErrors> load(const Config* running = nullptr) const {
+  boost::system::result<Config, keys::FileErrors> load(const Config* running = nullptr) const {
     const FileReader reader = [this](const std::string& path) -> base::FileText {
       const auto found = files.find(path);
       if (found != files.end()) return {found->second, {}};

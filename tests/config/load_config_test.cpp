@@ -7,7 +7,7 @@
 
 #include <set>
 
-#include "daemon/config/json_text.h"
+#include "base/keys/json_text.h"
 #include "daemon/config/keys/config_keys.h"
 #include "daemon/config/keys/device_keys.h"
 #include "tests/config/fake_files.h"
@@ -245,7 +245,7 @@ RC_GTEST_PROP(LoadConfig, ArbitraryTextIsHandledAndEveryErrorNamesItsFile, ()) {
       continue;
     }
     RC_ASSERT(!loaded.error().empty());
-    for (const ConfigError& error : loaded.error()) {
+    for (const keys::FileError& error : loaded.error()) {
       RC_ASSERT(error.file.starts_with("/etc/hedgehog/"));
       RC_ASSERT(!error.reason.empty());
     }

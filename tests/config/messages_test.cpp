@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "daemon/config/json_text.h"
+#include "base/keys/json_text.h"
 #include "tests/config/fake_files.h"
 
 namespace hedgehog::config {

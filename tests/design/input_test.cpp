@@ -99,13 +99,14 @@ TEST(DesignFile, ErrorsNameTheKey) {
     EXPECT_EQ(design.error().exit_code, kBadData);
     return design.error().message;
   };
-  EXPECT_THAT(sentence("[]"), HasSubstr("no design file"));
-  EXPECT_THAT(sentence("{"), HasSubstr("no design file"));
+  EXPECT_EQ(sentence("[]"), "x.json:1: must be an object in braces, not a list");
+  EXPECT_THAT(sentence("{"), HasSubstr("x.json:1: not valid JSON"));
   EXPECT_THAT(sentence("{}" + std::string(1, '\0') + "garbage"),
-              HasSubstr("x.json is no design file: has a NUL byte"));
-  EXPECT_THAT(sentence(R"({"aray": "tkD"})"), HasSubstr("unknown key 'aray'"));
+              HasSubstr("x.json:1: not valid JSON: has a NUL byte"));
+  EXPECT_EQ(sentence("{\n\"aray\": \"tkD\"}"),
+            "x.json:2: aray: unknown key; did you mean \"array\"?");
   EXPECT_THAT(sentence(R"({"sphere_mm": "35"})"),
-              HasSubstr("sphere_mm: must be a number from 5 to 500"));
+              HasSubstr("sphere_mm: must be a number, 5 to 500, not \"35\""));
   EXPECT_THAT(sentence(R"({"magnet": "8"})"), HasSubstr("magnet: '8' is not a magnet"));
   EXPECT_THAT(sentence(R"({"removed_pins": [-1]})"),
               HasSubstr("removed_pins: must be a list of ids"));

@@ -9,7 +9,7 @@
 
 #include "base/parse_json.h"
 #include "clients/lib/import/import.h"
-#include "daemon/config/json_text.h"
+#include "base/keys/json_text.h"
 #include "protocol/wire/json.h"
 
 namespace {
@@ -30,7 +30,7 @@ bool written_file(std::string_view text) {
 }
 
 bool configuration(std::string_view text) {
-  return bool(hedgehog::config::parse_json(text, "document"));
+  return bool(hedgehog::keys::parse_json(text, "document"));
 }
 
 /// AHAP or HJIF. No document is either, but that error is reported only after parsing.

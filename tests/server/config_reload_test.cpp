@@ -66,7 +66,7 @@ TEST(ConfigReload, EndsWithoutALoadThatWaits) {
 
 TEST(ConfigReload, ReturnsErrors) {
   ConfigReload reload([](const config::Config&) -> ConfigReload::Loaded {
-    return config::ConfigErrors{{"hedgehogd.json", 3, "limits", "is wrong"}};
+    return keys::FileErrors{{"hedgehogd.json", 3, "limits", "is wrong"}};
   });
   reload.request();
   EXPECT_EQ(next(reload, {}).error().size(), 1U);

@@ -44,7 +44,7 @@ const std::vector<Layer>& layers() {
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
       {"daemon/config",
        {"base", "model", "access", "daemon/device", "daemon/control"},
-       {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
+       {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
       {"daemon/server/session",
        {"base", "model", "protocol", "access", "daemon/device", "daemon/control", "daemon/config"},
        {kCli, kBeast, kJson, kSpdlog, kSystemd}},

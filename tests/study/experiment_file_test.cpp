@@ -54,7 +54,7 @@ TEST(ExperimentFile, ANulEndsNoFile) {
   const std::string good = experiment_text(find_experiment("force-jnd").value());
   EXPECT_THAT(
       parse_experiment("\n" + good.substr(0, 1) + '\0' + good.substr(1), "mine").error().message,
-      testing::Eq("mine:2: this is no JSON: has a NUL byte, which JSON never has"));
+      testing::Eq("mine:2: not valid JSON: has a NUL byte, which JSON never has"));
   EXPECT_FALSE(parse_experiment(good + '\0' + "garbage", "mine").has_value());
 }
 
@@ -83,9 +83,10 @@ std::string error_message(const std::string& text) {
 TEST(ExperimentFile, NamesEachErrorByLineAndKey) {
   ASSERT_EQ(presets().front().name, "force-jnd");
   EXPECT_THAT(error_message(changed("\"discard\"", "\"dicard\"")),
-              testing::MatchesRegex("mine.json:[0-9]+: dicard: unknown key"));
+              testing::MatchesRegex(
+                  "mine.json:[0-9]+: dicard: unknown key; did you mean \"discard\"\\?.*"));
   EXPECT_THAT(error_message(changed("\"task\": \"two_intervals\"", "\"task\": \"three\"")),
-              HasSubstr("task: must be one of \"yes_no\", \"two_intervals\", not \"three\""));
+              HasSubstr("task: must be \"yes_no\" or \"two_intervals\", not \"three\""));
   EXPECT_THAT(error_message(changed("\"ceiling\": 200", "\"ceiling\": 220")),
               HasSubstr("ceiling: is 16.0 A"));
   EXPECT_THAT(error_message(changed("\"current_a\": 5", "\"current_a\": 0")),
@@ -95,9 +96,9 @@ TEST(ExperimentFile, NamesEachErrorByLineAndKey) {
   // The line of the key itself, not that of a comment, value or stage with the same name.
   EXPECT_THAT(error_message("// \"gap_ms\": 1\n{ \"question\": \"gap_ms\", /* \"gap_ms\":\n */\n"
                             "\"stages\": [{\"gap_ms\": 2}],\n \"gap_ms\" : -1}"),
-              HasSubstr("mine.json:5: gap_ms: must be a number"));
-  EXPECT_THAT(error_message("{\n\"a\""), HasSubstr("mine.json:2: this is no JSON"));
-  EXPECT_THAT(error_message("{\n\"a\": 1e999}"), HasSubstr("mine.json:2: this is no JSON"));
+              HasSubstr("mine.json:5: gap_ms: must be 0 to 10000, not -1"));
+  EXPECT_THAT(error_message("{\n\"a\""), HasSubstr("mine.json:2: not valid JSON"));
+  EXPECT_THAT(error_message("{\n\"a\": 1e999}"), HasSubstr("mine.json:2: not valid JSON"));
   EXPECT_THAT(error_message("{}"), HasSubstr("stages: is missing"));
   EXPECT_THAT(error_message(changed("\"step_up\": 20", "\"step_up\": -1")),
               HasSubstr("steps must be above 0"));

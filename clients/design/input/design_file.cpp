@@ -2,76 +2,84 @@
 #include "clients/design/input/design_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <nlohmann/json.hpp>
 
-#include "base/parse_json.h"
+#include "base/keys/json_text.h"
+#include "base/keys/key_tree.h"
+#include "clients/common/file_problem.h"
 #include "clients/design/output/tool.h"
 
 namespace hedgehog::design {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using keys::Key;
+using keys::Reason;
+using keys::Value;
 
-/// Stores a value in the design; returns the error, or empty.
-using Reader = std::function<std::string(const Json&, Design&)>;
+constexpr double kMaxId = 100'000;
 
-Reader text_key(std::string Design::*member) {
-  return [member](const Json& value, Design& design) -> std::string {
-    if (!value.is_string()) return "must be a text";
-    design.*member = value.get<std::string>();
-    return "";
-  };
+Key<Design> text_key(std::string path, std::string Design::*member) {
+  return {std::move(path),
+          [member](Design& design, const Value& value) -> Reason {
+            if (value.kind != Value::Kind::kText) return keys::must_be("a text", value);
+            design.*member = value.text;
+            return {};
+          },
+          [member](const Design& design) { return Value::of(design.*member); }};
 }
 
-Reader size_key(Size Design::*member) {
-  return [member](const Json& value, Design& design) -> std::string {
-    if (!value.is_string()) return "must be a text such as \"8x10\"";
-    const auto size = parse_size(value.get<std::string>(), "");
-    if (!size) return size.error().message.substr(2);
-    design.*member = *size;
-    return "";
-  };
+Key<Design> size_key(std::string path, Size Design::*member) {
+  return {std::move(path),
+          [member](Design& design, const Value& value) -> Reason {
+            if (value.kind != Value::Kind::kText)
+              return keys::must_be("a text such as \"8x10\"", value);
+            const auto size = parse_size(value.text, "");
+            if (!size) return size.error().message.substr(2);
+            design.*member = *size;
+            return {};
+          },
+          [member](const Design& design) { return Value::of(to_text(design.*member)); }};
 }
 
-Reader number_key(double Design::*member, double min, double max) {
-  return [member, min, max](const Json& value, Design& design) -> std::string {
-    const double number = value.is_number() ? value.get<double>() : std::nan("");
-    if (!(number >= min && number <= max))
-      return "must be a number from " + to_text(min) + " to " + to_text(max);
-    design.*member = number;
-    return "";
-  };
+Key<Design> ids_key(std::string path, std::vector<int> Design::*member) {
+  return {std::move(path),
+          [member](Design& design, const Value& value) -> Reason {
+            if (value.kind != Value::Kind::kArray) return keys::must_be("a list of ids", value);
+            std::vector<int> ids;
+            for (const Value& element : value.elements) {
+              double id = 0.0;
+              if (Reason reason = keys::read_integer(element, 0, kMaxId, id); !reason.empty())
+                return "must be a list of ids; each " + reason;
+              ids.push_back(static_cast<int>(id));
+            }
+            std::sort(ids.begin(), ids.end());
+            ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+            design.*member = std::move(ids);
+            return {};
+          },
+          [member](const Design& design) {
+            std::vector<Value> ids;
+            for (const int id : design.*member) ids.push_back(Value::of(double{1.0} * id));
+            return Value::array(std::move(ids));
+          }};
 }
 
-Reader ids_key(std::vector<int> Design::*member) {
-  return [member](const Json& value, Design& design) -> std::string {
-    std::vector<int> ids;
-    for (const Json& id : value.is_array() ? value : Json::array({nullptr})) {
-      if (!id.is_number_unsigned() || id > 100000) return "must be a list of ids";
-      ids.push_back(id.get<int>());
-    }
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    design.*member = ids;
-    return "";
+const std::vector<Key<Design>>& design_keys() {
+  const auto of = [](auto member) {
+    return [member](auto& design) -> auto& { return design.*member; };
   };
-}
-
-const std::map<std::string, Reader>& keys() {
-  static const std::map<std::string, Reader> kKeys{
-      {"array", text_key(&Design::array)},
-      {"positions", text_key(&Design::positions)},
-      {"magnet", size_key(&Design::magnet)},
-      {"shield", size_key(&Design::shield)},
-      {"sphere_mm", number_key(&Design::sphere_mm, kMinSphereMm, kMaxSphereMm)},
-      {"remanence_t", number_key(&Design::remanence_t, 0.01, 2)},
-      {"removed_pins", ids_key(&Design::removed_pins)},
-      {"removed_shields", ids_key(&Design::removed_shields)},
-      {"coil_force_n", number_key(&Design::coil_force_n, 0.001, 100)},
-      {"made_by", [](const Json&, Design&) { return std::string(); }},
+  using keys::number_key;
+  static const std::vector<Key<Design>> kKeys{
+      text_key("array", &Design::array),
+      text_key("positions", &Design::positions),
+      size_key("magnet", &Design::magnet),
+      size_key("shield", &Design::shield),
+      number_key<Design>("sphere_mm", kMinSphereMm, kMaxSphereMm, of(&Design::sphere_mm)),
+      number_key<Design>("remanence_t", 0.01, 2, of(&Design::remanence_t)),
+      ids_key("removed_pins", &Design::removed_pins),
+      ids_key("removed_shields", &Design::removed_shields),
+      number_key<Design>("coil_force_n", 0.001, 100, of(&Design::coil_force_n)),
+      {"made_by", [](Design&, const Value&) { return Reason(); },
+       [](const Design&) { return Value::of(std::string("hedgehog-design " HEDGEHOG_VERSION)); }},
   };
   return kKeys;
 }
@@ -79,21 +87,13 @@ const std::map<std::string, Reader>& keys() {
 }  // namespace
 
 Result<Design> parse_design(const std::string& text, const std::string& name) {
-  const auto parsed = base::parse_json<Json>(text, base::JsonComments::kAllowed);
-  if (!parsed.good()) return Problem{kBadData, name + " is no design file: " + parsed.problem};
-  const Json& root = parsed.value;
-  if (!root.is_object()) return Problem{kBadData, name + " is no design file: not a JSON object"};
+  const auto root = keys::parse_json(text, name);
+  if (root.has_error()) return problem_of(kBadData, {root.error()});
   Design design;
-  for (const auto& [key, value] : root.items()) {
-    const auto reader = keys().find(key);
-    if (reader == keys().end()) {
-      std::string known;
-      for (const auto& entry : keys()) known += (known.empty() ? "" : ", ") + entry.first;
-      return Problem{kBadData, name + ": unknown key '" + key + "'; there are " + known};
-    }
-    const std::string wrong = reader->second(value, design);
-    if (!wrong.empty()) return Problem{kBadData, name + ": " + key + ": " + wrong};
-  }
+  keys::Origins origins;
+  keys::FileErrors errors;
+  keys::read_keys(*root, name, design_keys(), design, origins, errors);
+  if (!errors.empty()) return problem_of(kBadData, errors);
   return design;
 }
 
@@ -119,18 +119,7 @@ Result<void> protect_design(const std::string& path) {
 }
 
 std::string design_text(const Design& design) {
-  Json root;
-  root["array"] = design.array;
-  if (!design.positions.empty()) root["positions"] = design.positions;
-  root["magnet"] = to_text(design.magnet);
-  root["shield"] = to_text(design.shield);
-  root["sphere_mm"] = design.sphere_mm;
-  root["remanence_t"] = design.remanence_t;
-  root["removed_pins"] = design.removed_pins;
-  root["removed_shields"] = design.removed_shields;
-  root["coil_force_n"] = design.coil_force_n;
-  root["made_by"] = "hedgehog-design " HEDGEHOG_VERSION;
-  return root.dump(2) + "\n";
+  return keys::to_json(keys::write_keys(design_keys(), design));
 }
 
 }  // namespace hedgehog::design

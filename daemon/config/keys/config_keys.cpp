@@ -7,6 +7,9 @@
 #include "daemon/config/keys/unix_role_keys.h"
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 using D = Draft;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/keys/key.h"
 #include "daemon/config/config.h"
-#include "daemon/config/keys/key.h"
 #include "daemon/config/keys/limit_keys.h"
 
 namespace hedgehog::config {
@@ -20,6 +20,6 @@ struct Draft {
 };
 
 /// All keys, in the order of the documented file.
-const std::vector<Key<Draft>>& config_keys();
+const std::vector<keys::Key<Draft>>& config_keys();
 
 }  // namespace hedgehog::config

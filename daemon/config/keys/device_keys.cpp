@@ -7,13 +7,16 @@
 #include <string_view>
 #include <utility>
 
-#include "daemon/config/json_text.h"
-#include "daemon/config/keys/key_tree.h"
+#include "base/keys/json_text.h"
+#include "base/keys/key_tree.h"
 #include "daemon/config/keys/limit_keys.h"
 #include "daemon/device/sensors/discovery.h"
 #include "model/thermal/thermal_decay.h"
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 using model::DeviceModel;
@@ -175,7 +178,7 @@ std::vector<Key<DeviceModel>> make_device_keys() {
 
 // The estimate would oscillate or diverge with nodes too light for the integration step.
 void check_thermal(const model::ThermalModel& thermal, const Origins& origins,
-                   const std::string& file, ConfigErrors& errors) {
+                   const std::string& file, FileErrors& errors) {
   const model::NodeTimeConstants time = model::node_time_constants(thermal);
   const auto check = [&](const char* key, const std::string& what, double seconds) {
     if (seconds >= model::kMinTimeConstantS) return;
@@ -197,7 +200,7 @@ const std::vector<Key<DeviceModel>>& device_keys() {
 }
 
 DeviceModel read_device(const Value& root, const std::string& file, const KnownGeometries& possible,
-                        ConfigErrors& errors) {
+                        FileErrors& errors) {
   DeviceModel device;
   Origins origins;
   const std::size_t before = errors.size();

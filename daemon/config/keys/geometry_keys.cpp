@@ -5,6 +5,9 @@
 #include <utility>
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 using model::DeviceModel;
@@ -118,7 +121,7 @@ std::vector<Key<DeviceModel>> geometry_keys() {
 }
 
 void check_geometry(const model::BallGeometry& geometry, const KnownGeometries& possible,
-                    const Origins& origins, const std::string& file, ConfigErrors& errors) {
+                    const Origins& origins, const std::string& file, FileErrors& errors) {
   if (geometry == model::BallGeometry{}) return;
   if (std::find(possible.begin(), possible.end(), geometry) != possible.end()) return;
   const auto arrangement = model::arrangement_of(geometry);

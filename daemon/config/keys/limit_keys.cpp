@@ -5,6 +5,9 @@
 #include <cstddef>
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 std::string key_of(const LimitField& field) { return "limits." + std::string(field.name); }
@@ -21,7 +24,7 @@ const LimitField& field_of(double model::Limits::*member) { return kLimitFields[
 }  // namespace
 
 model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& overrides,
-                        const Origins& origins, ConfigErrors& errors) {
+                        const Origins& origins, FileErrors& errors) {
   model::Limits limits = ceiling;
   for (std::size_t i = 0; i < kLimitFields.size(); ++i) {
     if (!overrides[i]) continue;
@@ -43,7 +46,7 @@ model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& over
 }
 
 void check_order(const model::Limits& limits, const Origins& origins, const std::string& file,
-                 ConfigErrors& errors) {
+                 FileErrors& errors) {
   using model::Limits;
   struct Pair {
     double Limits::*lower;

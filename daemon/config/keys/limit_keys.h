@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/config/keys/key.h"
-#include "daemon/config/keys/key_tree.h"
+#include "base/keys/key.h"
+#include "base/keys/key_tree.h"
 #include "model/limit/limits.h"
 
 namespace hedgehog::config {
@@ -39,11 +39,11 @@ using LimitOverrides = std::array<std::optional<double>, kLimitFields.size()>;
 
 /// `ceiling` with `overrides`. An override above its ceiling is an error at its position.
 model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& overrides,
-                        const Origins& origins, ConfigErrors& errors);
+                        const keys::Origins& origins, keys::FileErrors& errors);
 
 /// Errors unless rearm < derate_from < sustain < zero < trip, continuous <= current and felt <=
 /// current.
-void check_order(const model::Limits& limits, const Origins& origins, const std::string& file,
-                 ConfigErrors& errors);
+void check_order(const model::Limits& limits, const keys::Origins& origins, const std::string& file,
+                 keys::FileErrors& errors);
 
 }  // namespace hedgehog::config

@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 using D = Draft;
@@ -78,7 +81,7 @@ void add_sensor_keys(std::vector<Key<D>>& keys) {
 }
 
 void resolve_sensors(Draft& draft, const Origins& origins, const std::string& file,
-                     ConfigErrors& errors) {
+                     FileErrors& errors) {
   Config& config = draft.config;
   const auto wrong = [&](const std::string& key, const std::string& why) {
     errors.push_back(error_at(origins, key, why, file));

@@ -4,16 +4,16 @@
 
 #include <vector>
 
-#include "daemon/config/config_error.h"
+#include "base/keys/file_error.h"
+#include "base/keys/key_tree.h"
 #include "daemon/config/keys/config_keys.h"
-#include "daemon/config/keys/key_tree.h"
 
 namespace hedgehog::config {
 
-void add_sensor_keys(std::vector<Key<Draft>>& keys);
+void add_sensor_keys(std::vector<keys::Key<Draft>>& keys);
 
 /// Checks that need the whole configuration: resolves "auto" and detects contradictions.
-void resolve_sensors(Draft& draft, const Origins& origins, const std::string& file,
-                     ConfigErrors& errors);
+void resolve_sensors(Draft& draft, const keys::Origins& origins, const std::string& file,
+                     keys::FileErrors& errors);
 
 }  // namespace hedgehog::config

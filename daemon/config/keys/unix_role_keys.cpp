@@ -5,6 +5,9 @@
 #include <utility>
 
 namespace hedgehog::config {
+
+using namespace keys;
+
 namespace {
 
 struct UnixRoleField {
@@ -54,7 +57,7 @@ void add_unix_role_keys(std::vector<Key<Draft>>& keys) {
 }
 
 void check_unix_roles(const access::UnixRoles& roles, const Origins& origins,
-                      const std::string& file, ConfigErrors& errors) {
+                      const std::string& file, FileErrors& errors) {
   const char* everybody = nullptr;
   for (const auto& [path, member] : kUnixRoleFields) {
     const access::Principals& principals = roles.*member;

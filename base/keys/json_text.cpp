@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/config/json_text.h"
+#include "base/keys/json_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "base/nul_byte.h"
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -133,8 +133,8 @@ class Builder final : public Json::json_sax_t {
 
 /// nlohmann's message is "[json.exception…] parse error at line 3, column 5: syntax error while
 /// parsing x - why": extracts the line, and the text after "parsing" for the user.
-ConfigError syntax_error(const std::string& what, const std::string& file, int line_read) {
-  ConfigError error{file, line_read, "", what};
+FileError syntax_error(const std::string& what, const std::string& file, int line_read) {
+  FileError error{file, line_read, "", what};
   constexpr std::string_view kLine = "at line ";
   if (const std::size_t at = what.find(kLine); at != std::string::npos)
     error.line = std::atoi(what.c_str() + at + kLine.size());
@@ -177,14 +177,13 @@ Json to_library(const Value& value) {
 
 }  // namespace
 
-boost::system::result<Value, ConfigError> parse_json(std::string_view text,
-                                                     const std::string& file) {
-  if (text.size() > kMaxFileBytes) return ConfigError{file, 0, "", "is larger than 1 MiB"};
+boost::system::result<Value, FileError> parse_json(std::string_view text, const std::string& file) {
+  if (text.size() > kMaxFileBytes) return FileError{file, 0, "", "is larger than 1 MiB"};
   if (const auto nul = base::first_nul(text)) {
     const auto lines =
         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*nul), '\n');
-    return ConfigError{file, 1 + static_cast<int>(lines), "",
-                       "not valid JSON: " + std::string(base::kHasNul)};
+    return FileError{file, 1 + static_cast<int>(lines), "",
+                     "not valid JSON: " + std::string(base::kHasNul)};
   }
   Place place;
   Builder builder(place);
@@ -192,7 +191,7 @@ boost::system::result<Value, ConfigError> parse_json(std::string_view text,
   const CountingIterator end(text.data() + text.size(), &place);
   if (Json::sax_parse(begin, end, &builder, Json::input_format_t::json, true, true))
     return std::move(builder.root);
-  if (builder.too_deep) return ConfigError{file, place.line, "", "more than 16 levels deep"};
+  if (builder.too_deep) return FileError{file, place.line, "", "more than 16 levels deep"};
   return syntax_error(builder.reason, file, place.line);
 }
 
@@ -200,4 +199,4 @@ std::string to_json(const Value& value) {
   return to_library(value).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

@@ -8,20 +8,19 @@
 
 #include <boost/system/result.hpp>
 
-#include "daemon/config/config_error.h"
-#include "daemon/config/value.h"
+#include "base/keys/file_error.h"
+#include "base/keys/value.h"
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 
 /// Maximum size of a file, 1 MiB.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
 
 /// Reads `text`, `//` and `/* */` comments allowed. `file` is only for the error, which contains
 /// the line. Also rejected: invalid UTF-8, more than kMaxFileBytes, more than 16 levels.
-boost::system::result<Value, ConfigError> parse_json(std::string_view text,
-                                                     const std::string& file);
+boost::system::result<Value, FileError> parse_json(std::string_view text, const std::string& file);
 
 /// Indented by two; numbers read back the same; ends with a line feed.
 std::string to_json(const Value& value);
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

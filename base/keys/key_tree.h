@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/config_error.h"
-#include "daemon/config/keys/key.h"
-#include "daemon/config/value.h"
+#include "base/keys/file_error.h"
+#include "base/keys/key.h"
+#include "base/keys/value.h"
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 
 struct Origin {
   std::string file;
@@ -26,12 +26,12 @@ using Origins = std::map<std::string, Origin>;
 /// duplicate keys, sections that are not objects.
 void match_keys(const Value& root, const std::string& file, const std::vector<std::string>& paths,
                 const std::function<Reason(std::size_t, const Value&)>& found, Origins& origins,
-                ConfigErrors& errors);
+                FileErrors& errors);
 
 /// Reads the keys in `root` into `target`; the rest of `target` is unchanged.
 template <class Target>
 void read_keys(const Value& root, const std::string& file, const std::vector<Key<Target>>& keys,
-               Target& target, Origins& origins, ConfigErrors& errors) {
+               Target& target, Origins& origins, FileErrors& errors) {
   std::vector<std::string> paths;
   paths.reserve(keys.size());
   for (const Key<Target>& key : keys) paths.push_back(key.path);
@@ -49,7 +49,7 @@ Value write_keys(const std::vector<Key<Target>>& keys, const Target& target) {
 }
 
 /// An error about `key` where it was set, or about `fallback_file` if it was not set.
-ConfigError error_at(const Origins& origins, const std::string& key, std::string reason,
-                     const std::string& fallback_file);
+FileError error_at(const Origins& origins, const std::string& key, std::string reason,
+                   const std::string& fallback_file);
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

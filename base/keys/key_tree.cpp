@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/config/keys/key_tree.h"
+#include "base/keys/key_tree.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 #include "base/spelling.h"
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 namespace {
 
 std::string_view last_part(std::string_view path) {
@@ -46,7 +46,7 @@ class Matcher {
  public:
   Matcher(const std::string& file, const std::vector<std::string>& paths,
           const std::function<Reason(std::size_t, const Value&)>& found, Origins& origins,
-          ConfigErrors& errors)
+          FileErrors& errors)
       : file_(file), paths_(paths), found_(found), origins_(origins), errors_(errors) {}
 
   // parse_json limits the depth of the recursion.
@@ -90,14 +90,14 @@ class Matcher {
   const std::vector<std::string>& paths_;
   const std::function<Reason(std::size_t, const Value&)>& found_;
   Origins& origins_;
-  ConfigErrors& errors_;
+  FileErrors& errors_;
 };
 
 }  // namespace
 
 void match_keys(const Value& root, const std::string& file, const std::vector<std::string>& paths,
                 const std::function<Reason(std::size_t, const Value&)>& found, Origins& origins,
-                ConfigErrors& errors) {
+                FileErrors& errors) {
   if (root.kind != Value::Kind::kObject) {
     errors.push_back({file, root.line, "", must_be("an object in braces", root)});
     return;
@@ -105,11 +105,11 @@ void match_keys(const Value& root, const std::string& file, const std::vector<st
   Matcher(file, paths, found, origins, errors).match(root, "");
 }
 
-ConfigError error_at(const Origins& origins, const std::string& key, std::string reason,
-                     const std::string& fallback_file) {
+FileError error_at(const Origins& origins, const std::string& key, std::string reason,
+                   const std::string& fallback_file) {
   const auto found = origins.find(key);
   if (found == origins.end()) return {fallback_file, 0, key, std::move(reason)};
   return {found->second.file, found->second.line, key, std::move(reason)};
 }
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/config/value.h"
+#include "base/keys/value.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/number_text.h"
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 
 Value Value::of(bool b) {
   Value value;
@@ -82,4 +82,4 @@ std::string describe(const Value& value) {
   return {};
 }
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 
 struct Value {
   enum class Kind : std::uint8_t { kNull, kBoolean, kNumber, kText, kArray, kObject };
@@ -37,4 +37,4 @@ struct Value {
 /// "12", "\"abc\"", "an object": for "must be …, not …". Long texts are truncated.
 std::string describe(const Value& value);
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/config/keys/key.h"
+#include "base/keys/key.h"
 
 #include <algorithm>
 #include <cctype>
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 namespace {
 
 std::string range(double min, double max) {
@@ -57,4 +57,4 @@ Reason read_serial(const Value& value, std::string& out) {
   return {};
 }
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/config/value.h"
+#include "base/keys/value.h"
 
-namespace hedgehog::config {
+namespace hedgehog::keys {
 
 /// Why a value is rejected ("must be …"); empty: accepted.
 using Reason = std::string;
@@ -121,4 +121,4 @@ Key<Target> choice_key(std::string path, List choices, Get get) {
           }};
 }
 
-}  // namespace hedgehog::config
+}  // namespace hedgehog::keys
