@@ -127,25 +127,38 @@ ordered_json as_json(const AnalysedRun& analysed) {
   return out;
 }
 
+struct AnalysedRuns {
+  StudyFolder study;
+  std::vector<AnalysedRun> runs;
+  int code = 0;  // of the problems, which are printed
+};
+
+Result<AnalysedRuns> analysed_runs() {
+  const auto study = StudyFolder::find(".");
+  if (!study) return study.error();
+  const auto exclusions = Exclusions::read(*study);
+  if (!exclusions) return exclusions.error();
+  std::vector<Problem> problems;
+  auto runs = collect(*study, *exclusions, problems);
+  const int code = print(problems);
+  if (runs.empty()) return Problem{EX_NOINPUT, "there is no run yet"};
+  return AnalysedRuns{*study, std::move(runs), code};
+}
+
 }  // namespace
 
 int run_analyse(const AnalyseOptions& options) {
-  const auto study = StudyFolder::find(".");
-  if (!study) return report_error(study.error().exit_code, study.error().message);
-  const auto exclusions = Exclusions::read(*study);
-  if (!exclusions) return report_error(exclusions.error().exit_code, exclusions.error().message);
-  std::vector<Problem> problems;
-  const auto runs = collect(*study, *exclusions, problems);
-  const int code = print(problems);
-  if (runs.empty()) return report_error(EX_NOINPUT, "there is no run yet");
+  const auto analysed = analysed_runs();
+  if (!analysed) return report_error(analysed.error().exit_code, analysed.error().message);
+  const auto& [study, runs, code] = *analysed;
   warn_of_simulated(runs);
-  const auto groups = groups_of(*study, runs);
-  const fs::path out = options.out.empty() ? study->path() / "analysis" : fs::path(options.out);
+  const auto groups = groups_of(study, runs);
+  const fs::path out = options.out.empty() ? study.path() / "analysis" : fs::path(options.out);
   std::error_code failed;
   fs::create_directories(out / "figures", failed);
   const auto drawn = draw(out / "figures", runs, groups);
   std::ofstream page(out / "report.html", std::ios::binary);
-  page << report_page(*study, runs, groups, out / "figures");
+  page << report_page(study, runs, groups, out / "figures");
   page.flush();
   if (!page)
     return report_error(EX_CANTCREAT, (out / "report.html").string() + ": cannot be written");
@@ -164,18 +177,13 @@ int run_analyse(const AnalyseOptions& options) {
 }
 
 int run_export(const ExportOptions& options) {
-  const auto study = StudyFolder::find(".");
-  if (!study) return report_error(study.error().exit_code, study.error().message);
-  const auto exclusions = Exclusions::read(*study);
-  if (!exclusions) return report_error(exclusions.error().exit_code, exclusions.error().message);
-  std::vector<Problem> problems;
-  const auto runs = collect(*study, *exclusions, problems);
-  const int code = print(problems);
-  if (runs.empty()) return report_error(EX_NOINPUT, "there is no run yet");
+  const auto analysed = analysed_runs();
+  if (!analysed) return report_error(analysed.error().exit_code, analysed.error().message);
+  const auto& [study, runs, code] = *analysed;
   const bool bids = options.format == "bids";
   const fs::path out =
-      options.out.empty() ? study->path() / (bids ? "bids" : "data.csv") : fs::path(options.out);
-  const auto written = bids ? write_bids(out, *study, runs, options.authors) : write_csv(out, runs);
+      options.out.empty() ? study.path() / (bids ? "bids" : "data.csv") : fs::path(options.out);
+  const auto written = bids ? write_bids(out, study, runs, options.authors) : write_csv(out, runs);
   if (!written) return report_error(written.error().exit_code, written.error().message);
   std::printf("%s: %zu runs\n", out.c_str(), runs.size());
   return code;
