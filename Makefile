@@ -63,7 +63,7 @@ help:
 	@echo 'make tls-latency  round trips and new connections over TLS, also of WebSocket, beside TCP'
 	@echo 'make bench-compare REV=main  this tree beside another revision, in the same rounds'
 	@echo 'make instructions  instructions of three requests and a tick, within 2 % of what is written; make instructions-write writes them'
-	@echo 'make stress     all tests ROUNDS=5 times on a busy machine (half an hour a round and more)'
+	@echo 'make stress     CI's tests ROUNDS=5 times on a busy machine, each time another of the three parts (an hour a round)'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
 
@@ -498,8 +498,9 @@ test-all: $(TEST_DEPS)
 
 # All tests again and again on a machine that has no time for them.
 ROUNDS ?= 5
+FIRST ?= 1
 stress: build/.packages-stress
-	tests/stress.sh $(ROUNDS)
+	tests/stress.sh $(ROUNDS) $(FIRST)
 
 clean:
 	rm -rf build

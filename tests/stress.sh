@@ -1,19 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# stress.sh [ROUNDS]: runs all tests ROUNDS times (5) under the load of `stress-ng --cpu 4 --io 2`. Everything is built
-# first, without that load. A round continues after a failed test and ends with its table (build/stress/<round>.json). It
-# takes more than half an hour on 2 cores.
+# stress.sh [ROUNDS [FIRST]]: runs CI's tests ROUNDS times (5) under the load of `stress-ng --cpu 4 --io 2`. Each round has one of the
+# three parts (Makefile), as a day of CI has: the first round part FIRST (1), the next one the next. Everything is built first, without
+# that load. A round continues after a failed test and ends with its table (build/stress/<round>.json). It takes an hour on 2 cores.
 # Exit: 0 no round had a failure, 1 one had, 64 usage.
 set -u
 
-rounds=${1:-5}
-[[ $# -le 1 && $rounds =~ ^[1-9][0-9]*$ ]] || { echo "stress.sh [ROUNDS]" >&2; exit 64; }
+rounds=${1:-5} first=${2:-1}
+[[ $# -le 2 && $rounds =~ ^[1-9][0-9]*$ && $first =~ ^[123]$ ]] || { echo "stress.sh [ROUNDS [FIRST]]" >&2; exit 64; }
 cd "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 70
 out=$PWD/build/stress
 mkdir -p "$out"
 
-# All three parts, not only that of the day (Makefile).
-export PARTS='1 2 3'
 for preset in dev tsan asan; do
   make "build/$preset/build.ninja" && cmake --build --preset "$preset" || exit
 done
@@ -28,13 +26,14 @@ trap 'exit 130' INT TERM
 
 failed=0
 for round in $(seq "$rounds"); do
+  export PARTS=$(((first + round - 2) % 3 + 1))
   export HEDGEHOG_STAGES=$out/$round.tsv
   : >"$HEDGEHOG_STAGES"
   SECONDS=0
   make test >"$out/$round.log" 2>&1 || failed=1
   tests/side_by_side.sh waiting-and-beside computing >>"$out/$round.log" 2>&1 || failed=1
   printf 'whole\t%d\n' "$SECONDS" >>"$HEDGEHOG_STAGES"
-  echo "round $round of $rounds"
+  echo "round $round of $rounds, part $PARTS"
   cmake/stage_table.sh "$HEDGEHOG_STAGES" "$out/$round.json"
 done
 exit "$failed"
