@@ -22,10 +22,11 @@ std::string shipped(const std::string& name) {
   return text.text;
 }
 
-void collect_paths(const Value& section, const std::string& prefix, std::set<std::string>& paths) {
+void collect_paths(const keys::Value& section, const std::string& prefix,
+                   std::set<std::string>& paths) {
   for (std::size_t i = 0; i < section.keys.size(); ++i) {
     const std::string path = prefix + section.keys[i];
-    if (section.elements[i].kind == Value::Kind::kObject)
+    if (section.elements[i].kind == keys::Value::Kind::kObject)
       collect_paths(section.elements[i], path + ".", paths);
     else
       paths.insert(path);
@@ -33,7 +34,7 @@ void collect_paths(const Value& section, const std::string& prefix, std::set<std
 }
 
 std::set<std::string> paths_in(const std::string& text) {
-  const auto root = parse_json(text, "shipped");
+  const auto root = keys::parse_json(text, "shipped");
   EXPECT_TRUE(root.has_value());
   std::set<std::string> paths;
   if (root) collect_paths(*root, "", paths);
@@ -41,7 +42,7 @@ std::set<std::string> paths_in(const std::string& text) {
 }
 
 template <class Target>
-std::set<std::string> paths_of(const std::vector<Key<Target>>& keys) {
+std::set<std::string> paths_of(const std::vector<keys::Key<Target>>& keys) {
   std::set<std::string> paths;
   for (const auto& key : keys) paths.insert(key.path);
   return paths;

@@ -161,7 +161,8 @@ TEST(Messages, OriginsHaveNoPath) {
 }
 
 TEST(Messages, LinesAreCountedRightAfterNumbersAndComments) {
-  const auto root = parse_json("{ /* a\nb */ \"a\": 1\n,\"b\": [1,\n2\n,3],\n\"c\": true\n}", "f");
+  const auto root =
+      keys::parse_json("{ /* a\nb */ \"a\": 1\n,\"b\": [1,\n2\n,3],\n\"c\": true\n}", "f");
   ASSERT_TRUE(root.has_value());
   EXPECT_EQ(root->elements[0].line, 2);
   EXPECT_EQ(root->elements[1].line, 3);

@@ -164,7 +164,7 @@ TEST(BadInput, GetsOneClearSentence) {
   EXPECT_THAT(wrong({"stability", "--positions", folder.write("a.csv", "{}")}, kBadData),
               HasSubstr("no CSV"));
   EXPECT_THAT(wrong({"stability", folder.write("b.json", "kind,x,y,z")}, kBadData),
-              HasSubstr("no design file"));
+              HasSubstr("b.json:1: not valid JSON"));
   EXPECT_THAT(wrong({"stability", folder.path("none.json")}, kNoInput), HasSubstr("none.json"));
   EXPECT_THAT(wrong({"stability", folder.path()}, kNoInput), HasSubstr("is a folder"));
   EXPECT_THAT(wrong({"curves", "--png", folder.path("x.gif")}, kUsage), HasSubstr(".svg or .png"));

@@ -26,6 +26,7 @@ constexpr std::string_view kSystemd = "systemd/";
 const std::vector<Layer>& layers() {
   static const std::vector<Layer> kLayers{
       {"base", {}, {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
+      {"base/keys", {"base"}, {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
       {"cli", {"base"}, {kAsio, kBeast, kJson, kSpdlog, kSystemd}},
       {"model",
        {"base"},

@@ -88,7 +88,7 @@ TEST(ExperimentFile, NamesEachErrorByLineAndKey) {
   EXPECT_THAT(error_message(changed("\"task\": \"two_intervals\"", "\"task\": \"three\"")),
               HasSubstr("task: must be \"yes_no\" or \"two_intervals\", not \"three\""));
   EXPECT_THAT(error_message(changed("\"ceiling\": 200", "\"ceiling\": 220")),
-              HasSubstr("ceiling: is 16.0 A"));
+              HasSubstr("ceiling: is 16 A"));
   EXPECT_THAT(error_message(changed("\"current_a\": 5", "\"current_a\": 0")),
               testing::MatchesRegex("mine.json:[0-9]+: current_a: must be above 0.*"));
   EXPECT_THAT(error_message(changed("\"start\": 100", "\"start\": 0.0001")),
