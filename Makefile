@@ -467,7 +467,10 @@ PACKAGES_1 := web csharp godot python monitoring mqtt discovery deb
 PACKAGES_2 := vm
 PACKAGES_3 := vm web deb discovery
 .PHONY: packages-in-ci computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
-# What any of the stages installs, before the first one.
+# What the stages of the day install, before the first one; node and npm are installed where they are missing.
+.PHONY: part-of-the-day
+part-of-the-day:
+	@echo $(PARTS)
 packages-in-ci:
 	@$(STAGE) packages cmake/bootstrap.sh $(call stages_of,PACKAGES)
 computing:
@@ -496,7 +499,7 @@ test-all: $(TEST_DEPS)
 	-$(MAKE) dashboard racer-page
 	tests/side_by_side.sh waiting-and-beside computing
 
-# All tests again and again on a machine that has no time for them.
+# The tests of CI again and again on a machine that has no time for them.
 ROUNDS ?= 5
 FIRST ?= 1
 stress: build/.packages-stress

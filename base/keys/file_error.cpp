@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/keys/file_error.h"
 
+#include "base/keys/value.h"
+
 namespace hedgehog::keys {
 
 std::string to_string(const FileError& error) {
   std::string text = error.file;
   if (error.line > 0) text += ":" + std::to_string(error.line);
   text += ": ";
-  if (!error.key.empty()) text += error.key + ": ";
+  if (!error.key.empty()) text += printable(error.key) + ": ";
   return text + error.reason;
 }
 

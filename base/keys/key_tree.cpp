@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/keys/key_tree.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -25,7 +27,7 @@ std::set<std::string> known_names(const std::vector<std::string>& paths) {
   return names;
 }
 
-/// Suggests a key for a typo or for a key in the wrong section.
+/// Suggests a key for a typo or for a key in the wrong section; of few keys all.
 Reason unknown_key(const std::string& path, const std::vector<std::string>& paths) {
   std::string nearest;
   std::size_t fewest = 1 + std::max<std::size_t>(2, path.size() / 4);
@@ -39,7 +41,10 @@ Reason unknown_key(const std::string& path, const std::vector<std::string>& path
       }
     }
   }
-  return nearest.empty() ? "unknown key" : "unknown key; did you mean \"" + nearest + "\"?";
+  if (!nearest.empty()) return "unknown key; did you mean \"" + nearest + "\"?";
+  constexpr std::size_t kFew = 12;
+  if (paths.size() > kFew) return "unknown key";
+  return fmt::format("unknown key; there are {}", fmt::join(paths, ", "));
 }
 
 class Matcher {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/keys/value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/number_text.h"
@@ -58,6 +61,18 @@ void Value::put(const std::string& path, Value value) {
     place.put(path.substr(dot + 1), std::move(value));
 }
 
+std::string printable(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F)
+      out += fmt::format("\\u{:04x}", byte);
+    else
+      out += c;
+  }
+  return out;
+}
+
 std::string describe(const Value& value) {
   constexpr std::size_t kShown = 40;
   switch (value.kind) {
@@ -66,13 +81,15 @@ std::string describe(const Value& value) {
     case Value::Kind::kBoolean:
       return value.boolean ? "true" : "false";
     case Value::Kind::kNumber:
-      return base::shortest(value.number);
+      return std::abs(value.number) < 1e15 && value.number == std::floor(value.number)
+                 ? base::fixed(value.number, 0)
+                 : base::shortest(value.number);
     case Value::Kind::kText: {
-      if (value.text.size() <= kShown) return '"' + value.text + '"';
+      if (value.text.size() <= kShown) return '"' + printable(value.text) + '"';
       // Does not cut inside a UTF-8 sequence.
       std::size_t cut = kShown;
       while (cut > 0 && (static_cast<unsigned char>(value.text[cut]) & 0xC0u) == 0x80u) --cut;
-      return '"' + value.text.substr(0, cut) + "…\"";
+      return '"' + printable(value.text.substr(0, cut)) + "…\"";
     }
     case Value::Kind::kArray:
       return "a list";

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hedgehog::keys {
@@ -36,5 +37,8 @@ struct Value {
 
 /// "12", "\"abc\"", "an object": for "must be …, not …". Long texts are truncated.
 std::string describe(const Value& value);
+
+/// On one line of a terminal: control characters as "\u001b".
+std::string printable(std::string_view text);
 
 }  // namespace hedgehog::keys

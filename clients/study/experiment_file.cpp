@@ -29,7 +29,7 @@ constexpr double kMany = 1'000'000;
 /// What the keys are read into: the unit of the levels depends on another key.
 struct Draft {
   Experiment experiment;
-  std::optional<double> start, floor, ceiling;
+  double start = 0.0, floor = 0.0, ceiling = 0.0;
   double step_ratio = 1.0;
   Value stages;
 };
@@ -81,9 +81,9 @@ std::vector<Key<Draft>> make_keys() {
        [](const D& d) { return Value::of(d.experiment.question); }},
       keys::choice_key<D>("task", kTasks, of(&E::task)),
       keys::choice_key<D>("level", kQuantities, of(&E::quantity)),
-      keys::optional_number_key<D>("start", 0, kMany, draft(&D::start)),
-      keys::optional_number_key<D>("floor", 0, kMany, draft(&D::floor)),
-      keys::optional_number_key<D>("ceiling", 0, kMany, draft(&D::ceiling)),
+      keys::number_key<D>("start", 0, kMany, draft(&D::start)),
+      keys::number_key<D>("floor", 0, kMany, draft(&D::floor)),
+      keys::number_key<D>("ceiling", 0, kMany, draft(&D::ceiling)),
       keys::number_key<D>("step_ratio", 0.01, 100, draft(&D::step_ratio)),
       {"stages", [](D& d, const Value& v) { return d.stages = v, Reason(); },
        [](const D& d) { return d.stages; }},
@@ -133,9 +133,8 @@ class Checks {
     errors_.push_back(keys::error_at(origins_, key, std::move(reason), file_));
   }
 
-  void level(const char* key, const std::optional<double>& value, Level& out) {
-    if (!value) return;
-    const auto exact = from_value(*value, e_.decimals());
+  void level(const char* key, double value, Level& out) {
+    const auto exact = from_value(value, e_.decimals());
     if (!exact) return wrong(key, "has more than " + std::to_string(e_.decimals()) + " decimals");
     out = *exact;
   }

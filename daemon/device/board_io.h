@@ -56,8 +56,9 @@ class BoardCommand {
   }
   model::Vec3 first_duty() const noexcept;  // holding and boost, -1..1
 
-  std::uint8_t fan = 0;                // duty, 0..255
-  std::uint8_t arm_count = 0;          // a change requests the board to clear its latch and arm
+  std::uint8_t fan = 0;  // duty, 0..255
+  /// A change requests the board to clear its latch and arm; set-points never do.
+  std::uint8_t arm_count = 0;
   std::uint8_t boot_loader_count = 0;  // a change requests the board to enter its boot loader
 
  private:
@@ -98,7 +99,7 @@ struct BoardTelemetry {
   double supply_current_a = 0.0;
   int thermistors = 1;  // 1: on the winding that the device file specifies; else one on each
   std::array<Thermistor, model::kCoils> thermistor{};
-  double sensor_c = 0.0;  // first thermistor; invalid with kFaultSensorOpen or kFaultSensorShort
+  double sensor_c = 0.0;  // first thermistor; invalid with kSensorOpen or kSensorShort
   double fan_rpm = 0.0;
   double fan_duty = 0.0;
   BoardMode mode = BoardMode::kSafe;

@@ -23,7 +23,8 @@ namespace hedgehog::model {
 /// One millisecond of measurements. Trivially copyable.
 struct ThermalMeasurement {
   /// Mean bridge voltages (duty x supply), and currents at start and end, of the same tick: one
-  /// tick off is an error of tens of kelvins while the current changes.
+  /// tick off is an error of tens of kelvins while the current changes. After a lost frame clear
+  /// `electrical_valid`.
   Vec3 voltage_v;
   Vec3 current_before_a;
   Vec3 current_a;

@@ -118,17 +118,19 @@ TEST(WindingProblem, IsNamedWithARemedy) {
   EXPECT_THAT(winding_problem(0, kForth, kBack, 0.04), HasSubstr("0.04 ohm"));
 }
 
-/// A ball whose winding x carries 0.3 A from 0.1 s after the request. Every request takes 0.15 s of
-/// device time.
+/// A ball whose winding x carries 0.3 A from 0.1 s after the request until its lease ends. Every
+/// request takes 0.15 s of device time.
 struct FakeBall {
   std::int64_t every_ms = 5;
   double noise_a = 0.0;  // added and subtracted in turn
+  double current_a = 0.3;
   std::string state = "armed";
   std::string reason = "none";
 
   void operator()(FakePeer& peer) const {
     std::int64_t now_ms = 1000;
     std::int64_t flows_from_ms = 1'000'000;
+    std::int64_t flows_until_ms = flows_from_ms;
     bool subscribed = false;
     const auto send_until = [&](std::int64_t until_ms) {
       for (; now_ms < until_ms; now_ms += every_ms) {
@@ -139,7 +141,8 @@ struct FakeBall {
         status.reason = reason;
         status.supply_v = 12.0;
         const double added_a = now_ms / every_ms % 2 == 0 ? noise_a : -noise_a;
-        status.current_a.x = now_ms < flows_from_ms ? 0.0 : 0.3 + added_a;
+        const bool flows = now_ms >= flows_from_ms && now_ms < flows_until_ms;
+        status.current_a.x = flows ? current_a + added_a : 0.0;
         protocol::StatusKeys keys;
         for (const auto key : {protocol::StatusKey::kState, protocol::StatusKey::kReason,
                                protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA})
@@ -158,6 +161,7 @@ struct FakeBall {
         peer.send_line(protocol::encode_result(id, protocol::ClaimResult{}));
       } else if (method == "effect.hold") {
         flows_from_ms = now_ms + 100;
+        flows_until_ms = flows_from_ms + request["params"]["lease_ms"].get<std::int64_t>();
         peer.send_line(protocol::encode_result(id, protocol::Admission{}));
         if (subscribed) send_until(now_ms + 150 * every_ms);
       } else if (method == "telemetry.subscribe") {
@@ -207,9 +211,16 @@ TEST(WindingBench, ContinuesUntilTheMeanIsAccurate) {
   EXPECT_NEAR(static_cast<double>(held.record->samples.size()), 101.0, 2.0);
 }
 
+TEST(WindingBench, AWindingWithoutCurrentIsMeasuredNoLonger) {
+  const Held held({.every_ms = 20, .current_a = 0.0}, {0.2, 0.01});
+  ASSERT_TRUE(held.record) << held.record.error().message;
+  EXPECT_LT(held.record->samples.size(), 30u);
+}
+
 TEST(WindingBench, ANoisyCurrentIsMeasuredForAsLongAsItFlows) {
   const Held held({.every_ms = 100, .noise_a = 0.2}, {0.2, 0.01});
   ASSERT_TRUE(held.record) << held.record.error().message;
+  EXPECT_NEAR(held.record->mean_a[0], 0.3, 0.01) << "none after its lease";
   EXPECT_THAT(held.record->samples.size(), testing::AllOf(testing::Gt(80u), testing::Lt(100u)));
 }
 

@@ -103,6 +103,9 @@ TEST(DesignFile, ErrorsNameTheKey) {
   EXPECT_THAT(sentence("{"), HasSubstr("x.json:1: not valid JSON"));
   EXPECT_THAT(sentence("{}" + std::string(1, '\0') + "garbage"),
               HasSubstr("x.json:1: not valid JSON: has a NUL byte"));
+  EXPECT_THAT(sentence(R"({"colour": 1})"),
+              HasSubstr("colour: unknown key; there are array, positions, magnet, shield,"));
+  EXPECT_THAT(sentence(R"({"a\u001b[2J": 1})"), HasSubstr("x.json:1: a\\u001b[2J: unknown key"));
   EXPECT_EQ(sentence("{\n\"aray\": \"tkD\"}"),
             "x.json:2: aray: unknown key; did you mean \"array\"?");
   EXPECT_THAT(sentence(R"({"sphere_mm": "35"})"),

@@ -255,8 +255,8 @@ test("the firmware's pins are the board's", (context) => {
   }
 });
 
-test("the README has the calculated figures", () => {
-  const text = prose(sourceText("firmware/board/README.md"));
+test("the page on sleep has the calculated figures", () => {
+  const text = prose(sourceText("firmware/board/asleep-at-once.md"));
   const { cases, bare, stuckJ, farads, brakeS } = safeWays(reference, kTypes);
   const texts = [`13.2 → ${cases[0].peakV.toFixed(1)} V; all three at 18 A: ${cases[2].peakV.toFixed(1)} V`,
     `${cases[0].returnedJ.toFixed(2)} J of it come back`, `after ${(1e3 * cases[0].seconds).toFixed(1)} ms`,

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/keys/json_text.h"
 #include "base/parse_json.h"
 #include "clients/lib/import/import.h"
-#include "base/keys/json_text.h"
 #include "protocol/wire/json.h"
 
 namespace {

@@ -42,6 +42,9 @@ TEST(LayerRule, RejectsAnArrowBackwards) {
   EXPECT_THAT(layer("daemon/device/a.h", "\"daemon/control/b.h\""), testing::SizeIs(1));
   EXPECT_THAT(layer("daemon/control/a.h", "\"protocol/b.h\""), testing::SizeIs(1));
   EXPECT_THAT(layer("daemon/config/a.h", "\"protocol/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("daemon/config/a.h", "\"base/keys/key.h\""), IsEmpty());
+  EXPECT_THAT(layer("model/a.h", "\"base/keys/key.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("base/a.h", "\"base/keys/key.h\""), testing::SizeIs(1));
   EXPECT_THAT(layer("protocol/a.h", "\"daemon/control/b.h\""), testing::SizeIs(1));
   EXPECT_THAT(layer("clients/lib/a.h", "\"daemon/control/b.h\""), testing::SizeIs(1));
   EXPECT_THAT(layer("clients/ctl/a.h", "\"clients/orientation/b.h\""), testing::SizeIs(1));

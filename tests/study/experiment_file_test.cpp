@@ -100,12 +100,16 @@ TEST(ExperimentFile, NamesEachErrorByLineAndKey) {
   EXPECT_THAT(error_message("{\n\"a\""), HasSubstr("mine.json:2: not valid JSON"));
   EXPECT_THAT(error_message("{\n\"a\": 1e999}"), HasSubstr("mine.json:2: not valid JSON"));
   EXPECT_THAT(error_message("{}"), HasSubstr("stages: is missing"));
+  for (const std::string key : {"start", "floor", "ceiling"})
+    EXPECT_THAT(error_message("{\"" + key + "\": null}"),
+                HasSubstr("mine.json:1: " + key + ": must be a number, 0 to 1000000, not null"));
+  EXPECT_THAT(error_message("{\"discard\": 1, \"discard\": 2}"), HasSubstr("discard: given twice"));
   EXPECT_THAT(error_message(changed("\"step_up\": 20", "\"step_up\": -1")),
               HasSubstr("steps must be above 0"));
   EXPECT_THAT(error_message(changed("\"name\": \"force-jnd\"", "\"name\": \"../x\"")),
               HasSubstr("name: takes small letters"));
   EXPECT_THAT(error_message(changed("\"question\": \"", "\"question\": \"a\\n")),
-              HasSubstr("question: must be a text of one line"));
+              HasSubstr("question: must be a text of one line, not \"a\\u000a"));
   EXPECT_EQ(find_experiment("/tmp").error().exit_code, EX_NOINPUT);
   EXPECT_EQ(find_experiment("nothing").error().exit_code, EX_USAGE);
   EXPECT_EQ(find_experiment("./nothing.json").error().exit_code, EX_NOINPUT);

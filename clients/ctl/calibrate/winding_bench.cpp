@@ -84,7 +84,7 @@ Outcome<WindingRecord> WindingBench::record(int coil, Extent extent, double flow
     if (t_s < *began + kSettleS) continue;
     const bool enough = record.samples.size() >= kMinSamples;
     if (enough && t_s > *began + kSettleS + extent.take_s &&
-        mean_error(record.samples) <= extent.max_error)
+        !(mean_error(record.samples) > extent.max_error))
       break;
     if (t_s > flows_until_s) {
       if (enough) break;

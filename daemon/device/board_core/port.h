@@ -5,8 +5,8 @@
 // Pins (electrical side: wiring.md beside this file), three times:
 //   PWM  out  timer channel, 20 kHz or more; low = brake
 //   DIR  out  low = current A -> B, counted as positive here
-//   SLP  out  one for all three drivers; high = awake
-//   FLT  in   low = fault
+//   SLP  out  one for all three drivers; high = awake; pulled down by a resistor, asleep in reset
+//   FLT  in   low = fault; open drain, pulled up
 //   CS   in   converter, in the middle of the PWM's on-time; or, better, an amplifier across a
 //             shunt in the winding's lead
 // and once: supply voltage and supply current of the bridges (converter), one to three NTCs
@@ -38,8 +38,8 @@ struct Wiring {
   /// Time from each conversion to the last one of a current, below 1000; the currents are
   /// extrapolated to there from the millisecond before. 0: negligible.
   uint16_t converted_before_us[kWindings] = {};
-  /// Shunt in the supply line of the bridges, without fan and electronics; 0: not fitted. Without
-  /// it, CS does not detect a stuck bridge during sleep, and the supply switch has no use.
+  /// Shunt in the supply line of the bridges, without fan and electronics; 0: not fitted. With CS a
+  /// stuck bridge is then not detected during sleep, and the supply switch has no use.
   uint32_t shunt_uv_per_a = 0;
   uint16_t supply_upper_ohm = 47000;  // supply = pin x (upper + lower) / lower
   uint16_t supply_lower_ohm = 4700;
