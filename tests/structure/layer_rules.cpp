@@ -159,9 +159,8 @@ std::string_view own_folder(std::string_view path, const Layer& layer) {
 
 bool may_include(const SourceFile& file, const Layer& layer, std::string_view header) {
   // A library of its own, which not everybody links.
-  constexpr std::string_view kKeys = "base/keys";
   const auto inside = [header](std::string_view folder) {
-    return is_inside(header, folder) && (folder != "base" || !is_inside(header, kKeys));
+    return is_inside(header, folder) && (folder != "base" || !is_inside(header, "base/keys"));
   };
   return inside(own_folder(file.path, layer)) ||
          std::any_of(layer.may_include.begin(), layer.may_include.end(), inside);
