@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/values/description.h"
 
+#include <algorithm>
+
 #include "protocol/wire/fields.h"
 
 namespace hedgehog::protocol {
@@ -28,31 +30,33 @@ void CoilsDescription::describe(Fields& f) {
   f.optional("measured", measured);
 }
 
-void ThermalDescription::describe(Fields& f) {
-  f.required("winding_j_k", winding_j_k);
-  f.required("core_j_k", core_j_k);
-  f.required("winding_to_core_k_w", winding_to_core_k_w);
-  f.required("core_to_room_fan_k_w", core_to_ambient_fan_k_w);
-  f.required("core_to_room_still_k_w", core_to_ambient_still_k_w);
+void describe(Fields& f, model::ThermalModel& v) {
+  f.required("winding_j_k", v.winding_j_k);
+  f.required("core_j_k", v.core_j_k);
+  f.required("winding_to_core_k_w", v.winding_to_core_k_w);
+  f.required("core_to_room_fan_k_w", v.core_to_ambient_fan_k_w);
+  f.required("core_to_room_still_k_w", v.core_to_ambient_still_k_w);
+  std::int64_t sensor_winding = v.sensor_winding;
   f.required("sensor_winding", sensor_winding);
-  f.required("sensor_lag_s", sensor_lag_s);
+  v.sensor_winding = static_cast<int>(std::clamp<std::int64_t>(sensor_winding, 0, 2));
+  f.required("sensor_lag_s", v.sensor_lag_s);
 }
 
-void UncertaintyDescription::describe(Fields& f) {
-  f.required("thermal", thermal);
-  f.required("resistance", resistance);
-  f.required("thermistor_k", thermistor_k);
+void describe(Fields& f, model::ThermalUncertainty& v) {
+  f.required("thermal", v.thermal);
+  f.required("resistance", v.resistance);
+  f.required("thermistor_k", v.thermistor_k);
 }
 
-void LimitsDescription::describe(Fields& f) {
-  f.required("current_a", current_a);
-  f.required("continuous_a", continuous_a);
-  f.required("felt_a", felt_a);
-  f.required("derate_from_c", derate_from_c);
-  f.required("sustain_c", sustain_c);
-  f.required("zero_c", zero_c);
-  f.required("trip_c", trip_c);
-  f.required("rearm_c", rearm_c);
+void describe(Fields& f, model::Limits& v) {
+  f.required("current_a", v.current_a);
+  f.required("continuous_a", v.continuous_a);
+  f.required("felt_a", v.felt_a);
+  f.required("derate_from_c", v.derate_from_c);
+  f.required("sustain_c", v.sustain_c);
+  f.required("zero_c", v.zero_c);
+  f.required("trip_c", v.trip_c);
+  f.required("rearm_c", v.rearm_c);
 }
 
 void CalibrationDescription::describe(Fields& f) { f.required("force_n_per_a", force_n_per_a); }

@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "model/limit/limits.h"
+#include "model/thermal/thermal_model.h"
+#include "model/thermal/thermal_uncertainty.h"
 #include "model/vec3.h"
 
 namespace hedgehog::protocol {
@@ -44,41 +47,6 @@ struct CoilsDescription {
   friend bool operator==(const CoilsDescription&, const CoilsDescription&) = default;
 };
 
-/// Heat capacities and thermal resistances, as in the device file.
-struct ThermalDescription {
-  std::array<double, 3> winding_j_k{};
-  double core_j_k = 0.0;
-  std::array<double, 3> winding_to_core_k_w{};
-  double core_to_ambient_fan_k_w = 0.0;
-  double core_to_ambient_still_k_w = 0.0;
-  std::int64_t sensor_winding = 0;  // 0..2
-  double sensor_lag_s = 0.0;
-  void describe(Fields& f);
-  friend bool operator==(const ThermalDescription&, const ThermalDescription&) = default;
-};
-
-/// Uncertainty of the ball relative to its device file.
-struct UncertaintyDescription {
-  double thermal = 0.0;       // relative tolerance
-  double resistance = 0.0;    // relative standard deviation
-  double thermistor_k = 0.0;  // standard deviation
-  void describe(Fields& f);
-  friend bool operator==(const UncertaintyDescription&, const UncertaintyDescription&) = default;
-};
-
-struct LimitsDescription {
-  double current_a = 0.0;
-  double continuous_a = 0.0;
-  double felt_a = 0.0;
-  double derate_from_c = 0.0;
-  double sustain_c = 0.0;
-  double zero_c = 0.0;
-  double trip_c = 0.0;
-  double rearm_c = 0.0;
-  void describe(Fields& f);
-  friend bool operator==(const LimitsDescription&, const LimitsDescription&) = default;
-};
-
 struct CalibrationDescription {
   double force_n_per_a = 0.0126;  // at the pin along the field
   void describe(Fields& f);
@@ -110,9 +78,9 @@ struct Description {
   std::string arrangement{};
   std::vector<PinDescription> pins{};
   CoilsDescription coils{};
-  ThermalDescription thermal{};
-  UncertaintyDescription uncertainty{};
-  LimitsDescription limits{};
+  model::ThermalModel thermal{};  // without `fan_full_rpm`; `sensor_winding` is 0..2
+  model::ThermalUncertainty uncertainty{};
+  model::Limits limits{};
   CalibrationDescription calibration{};
   double gain = 1.0;  // output.set_gain
   BoardDescription board{};
@@ -120,5 +88,9 @@ struct Description {
   void describe(Fields& f);
   friend bool operator==(const Description&, const Description&) = default;
 };
+
+void describe(Fields& f, model::ThermalModel& v);
+void describe(Fields& f, model::ThermalUncertainty& v);
+void describe(Fields& f, model::Limits& v);
 
 }  // namespace hedgehog::protocol

@@ -121,14 +121,14 @@ void TripStatus::describe(Fields& f) {
   f.optional("disagreement", disagreement);
 }
 
-void PinsStatus::describe(Fields& f) {
-  f.required("force_n", force_n, kNewtons);
-  f.required("extension_mm", extension_mm, kMillimetres);
+void describe(Fields& f, model::PinMotion& v) {
+  f.required("force_n", v.force_n, kNewtons);
+  f.required("extension_mm", v.extension_mm, kMillimetres);
 }
 
 void Status::describe(Fields& f) {
   StatusKeys keys = kTelemetryDefault;
-  if (!pins.empty() || f.has(name(StatusKey::kPins))) keys.add(StatusKey::kPins);
+  if (pins != model::PinMotion{} || f.has(name(StatusKey::kPins))) keys.add(StatusKey::kPins);
   describe_only(f, *this, keys);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/pin_motion.h"
 #include "model/quaternion.h"
 #include "model/vec3.h"
 #include "protocol/values/event.h"
@@ -100,15 +101,6 @@ struct TripStatus {
   friend bool operator==(const TripStatus&, const TripStatus&) = default;
 };
 
-/// Indexed by pin number (model/geometry/pin_motion.h).
-struct PinsStatus {
-  std::vector<double> force_n{};       // coil force, outwards positive
-  std::vector<double> extension_mm{};  // from the rest position, outwards positive
-  bool empty() const noexcept { return force_n.empty() && extension_mm.empty(); }
-  void describe(Fields& f);
-  friend bool operator==(const PinsStatus&, const PinsStatus&) = default;
-};
-
 struct Status {
   static constexpr std::string_view kSchema = "Status";
   std::string device{};
@@ -140,7 +132,7 @@ struct Status {
   std::uint64_t applied_seq = 0;
   std::optional<TripStatus> last_trip{};
 
-  PinsStatus pins{};  // from the measured currents; only on request
+  model::PinMotion pins{};  // from the measured currents; only on request
   void describe(Fields& f);
   friend bool operator==(const Status&, const Status&) = default;
 };
@@ -152,5 +144,7 @@ struct Telemetry {
   void describe(Fields& f);
   friend bool operator==(const Telemetry&, const Telemetry&) = default;
 };
+
+void describe(Fields& f, model::PinMotion& v);
 
 }  // namespace hedgehog::protocol

@@ -175,8 +175,10 @@ void Fields::value(T& v, const Spec& spec) {
         required("x", v.x, spec);
         required("y", v.y, spec);
         required("z", v.z, spec);
-      } else if constexpr (!std::is_empty_v<T>) {
+      } else if constexpr (requires { v.describe(*this); }) {
         v.describe(*this);
+      } else if constexpr (!std::is_empty_v<T>) {
+        describe(*this, v);  // a value of the model
       }
       end_object();
     }

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const protocol::ThermalDescription kThermal{{58.81, 58.81, 58.81}, 84.4, {1, 1, 1}, 1.8, 5, 0, 2};
+const model::ThermalModel kThermal;
 
 protocol::TemperatureStatus all_at(double celsius) {
   protocol::TemperatureStatus t;

@@ -75,8 +75,8 @@ TEST(Racer, AHitFromEachOfEightSidesPushesThere) {
     Race race(racer::ball_thrown_from(45.0 * eighth, 100.0, 12.0));
     const auto hit = drive_until<racer::Hit>(race, feel, {});
     const Push push = next_push(observer);
-    EXPECT_LT(racer::angle_deg(push.current_a, racer::towards(45.0 * eighth)), 22.5);
-    EXPECT_LT(racer::angle_deg(push.current_a, hit.direction), 5.0);
+    EXPECT_LT(model::angle_deg(push.current_a, racer::towards(45.0 * eighth)), 22.5);
+    EXPECT_LT(model::angle_deg(push.current_a, hit.direction), 5.0);
     EXPECT_NEAR(push.max_a, racer::strength_of(racer::step_of(hit.impulse_n_s), 2.1, 15.0), 0.5);
     EXPECT_TRUE(eventually([&] {
       feel.frame({}, race.scene().time_s);
@@ -97,13 +97,13 @@ TEST(Racer, ALandingPushesAndASkidVibratesFromBelow) {
   track.ramps.push_back({racer::flat_pose(25, 0, 0, 0), 6, 5, 1.0});
   Race jump(track);
   drive_until<racer::Landing>(jump, feel, {.throttle = 1.0});
-  EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
+  EXPECT_LT(model::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
 
   track = racer::open_ground();
   track.patches.push_back({racer::flat_pose(0, 0, 0, 0), 200, 200, 0.1});
   Race ice(track);
   drive_until<racer::Skid>(ice, feel, {.steer = 0.5, .throttle = 1.0});
-  EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
+  EXPECT_LT(model::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
 }
 
 TEST(Racer, TheGroundDirectionCirclesTheBallInATumbleAndAPauseEndsIt) {
@@ -117,7 +117,7 @@ TEST(Racer, TheGroundDirectionCirclesTheBallInATumbleAndAPauseEndsIt) {
     EXPECT_TRUE(eventually([&] {
       feel.frame({racer::Tumble{down}}, 1.0);
       const Vec3 current = vector_of(observer.notification("telemetry")["current_a"]);
-      return norm(current) > 3.0 && racer::angle_deg(current, down) < 3.0;
+      return norm(current) > 3.0 && model::angle_deg(current, down) < 3.0;
     }));
   }
   feel.pause();
@@ -146,7 +146,7 @@ TEST(Racer, ContinuesWithoutADaemonAndPlaysAgainWhenItReturns) {
   watching(observer);
   ASSERT_TRUE(connects(feel, 30.0));
   feel.frame({racer::Hit{{0, -1, 0}, 2000.0}}, 30.0);
-  EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, -1, 0}), 5.0);
+  EXPECT_LT(model::angle_deg(next_push(observer).current_a, {0, -1, 0}), 5.0);
 }
 
 TEST(Racer, ABallOfALowCurrentLimitIsPlayedSoftly) {
@@ -159,7 +159,7 @@ TEST(Racer, ABallOfALowCurrentLimitIsPlayedSoftly) {
   ASSERT_TRUE(connects(feel));
   feel.frame({racer::Hit{{0, 1, 0}, 8000.0}}, 1.0);
   const Push push = next_push(observer);
-  EXPECT_LT(racer::angle_deg(push.current_a, {0, 1, 0}), 5.0);
+  EXPECT_LT(model::angle_deg(push.current_a, {0, 1, 0}), 5.0);
   EXPECT_LT(push.max_a, 1.7);
 }
 

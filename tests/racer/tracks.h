@@ -2,13 +2,13 @@
 // Small tracks, each for one kind of event, and a car that drives on them in simulated time.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <variant>
 #include <vector>
 
 #include "clients/racer/game/race.h"
+#include "model/magnets/arrangement.h"
 
 namespace hedgehog::racer {
 
@@ -16,10 +16,6 @@ inline constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 inline Vec3 towards(double azimuth_deg) {
   return {std::cos(azimuth_deg * kDegree), std::sin(azimuth_deg * kDegree), 0};
-}
-
-inline double angle_deg(const Vec3& a, const Vec3& b) {
-  return std::acos(std::clamp(dot(a, b) / (norm(a) * norm(b)), -1.0, 1.0)) / kDegree;
 }
 
 /// Only ground; the car is at the origin and faces along x.

@@ -128,17 +128,6 @@ std::optional<std::array<model::Vec3, 3>> coil_matrix(const PushedSides& pushed)
 
 namespace {
 
-protocol::ThermalDescription described(const model::ThermalFound& found) {
-  const model::ThermalModel& t = found.thermal;
-  return {t.winding_j_k,
-          t.core_j_k,
-          t.winding_to_core_k_w,
-          t.core_to_ambient_fan_k_w,
-          t.core_to_ambient_still_k_w,
-          t.sensor_winding,
-          std::min(t.sensor_lag_s, kMaxLagS)};
-}
-
 std::string heat_comment(const std::optional<model::ThermalFound>& found) {
   if (!found) return "  // Not measured: as it was.\n";
   const auto& d = found->deviation;
@@ -155,8 +144,8 @@ std::string heat_comment(const std::optional<model::ThermalFound>& found) {
 }
 
 std::string heat_text(const Calibration& measured, const protocol::Description& before) {
-  const protocol::ThermalDescription t =
-      measured.thermal ? described(*measured.thermal) : before.thermal;
+  model::ThermalModel t = measured.thermal ? measured.thermal->thermal : before.thermal;
+  t.sensor_lag_s = std::min(t.sensor_lag_s, kMaxLagS);
   const double uncertainty =
       measured.thermal ? measured.thermal->uncertainty : before.uncertainty.thermal;
   return heat_comment(measured.thermal) +

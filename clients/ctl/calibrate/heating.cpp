@@ -141,8 +141,7 @@ int heat_and_cool(Session& session, const protocol::Description& ball, HeatProgr
 
 int fit_heat(const Session& session, const HeatProgress& progress,
              const protocol::Description& ball, Calibration& found) {
-  const auto thermal =
-      model::fit_thermal(progress.runs, progress.windings.r25_ohm, thermal_model_of(ball.thermal));
+  const auto thermal = model::fit_thermal(progress.runs, progress.windings.r25_ohm, ball.thermal);
   if (!thermal) {
     return print_error(
         "what was measured does not fit a ball of three windings around a core to 20 %: was it "

@@ -52,8 +52,7 @@ double spread_k(const model::ThermalState& nodes) {
   return most - lowest;
 }
 
-double rest_after_s(const protocol::TemperatureStatus& t, const protocol::ThermalDescription& d) {
-  const model::ThermalModel thermal = thermal_model_of(d);
+double rest_after_s(const protocol::TemperatureStatus& t, const model::ThermalModel& thermal) {
   model::ThermalState nodes{t.coils, t.core.value_or(reference_c(t))};
   model::HeatLoad load;
   load.ambient_c = std::min(
@@ -71,17 +70,6 @@ double rest_after_s(const protocol::TemperatureStatus& t, const protocol::Therma
 
 }  // namespace
 
-model::ThermalModel thermal_model_of(const protocol::ThermalDescription& described) {
-  model::ThermalModel thermal;
-  thermal.winding_j_k = described.winding_j_k;
-  thermal.core_j_k = described.core_j_k;
-  thermal.winding_to_core_k_w = described.winding_to_core_k_w;
-  thermal.core_to_ambient_fan_k_w = described.core_to_ambient_fan_k_w;
-  thermal.core_to_ambient_still_k_w = described.core_to_ambient_still_k_w;
-  thermal.sensor_lag_s = described.sensor_lag_s;
-  return thermal;
-}
-
 double reference_c(const protocol::TemperatureStatus& t) {
   if (!t.sensors) return t.sensor.value_or(25.0);
   return ((*t.sensors)[0] + (*t.sensors)[1] + (*t.sensors)[2]) / 3.0;
@@ -93,7 +81,7 @@ std::string minutes_text(double seconds) {
 }
 
 RestDeviation rest_deviation(const protocol::TemperatureStatus& t,
-                             const protocol::ThermalDescription& thermal) {
+                             const model::ThermalModel& thermal) {
   if (!t.model || !t.upper)
     return {"the temperatures of the windings are not known yet", 20.0, kUnsureS};
   const Apart most = farthest(t);

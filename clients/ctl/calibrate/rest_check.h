@@ -36,13 +36,10 @@ struct RestDeviation {
 /// winding has one, else the only one. REQUIRES: t.sensor.
 double reference_c(const protocol::TemperatureStatus& t);
 
-/// The thermal constants described by a daemon; the others keep their typical values.
-model::ThermalModel thermal_model_of(const protocol::ThermalDescription& described);
-
 /// From the daemon's estimate and the thermistors; the waiting time from the constants `thermal`,
 /// at an ambient temperature of 20 C or that of a cooler ball. REQUIRES: t.sensor.
 RestDeviation rest_deviation(const protocol::TemperatureStatus& t,
-                             const protocol::ThermalDescription& thermal);
+                             const model::ThermalModel& thermal);
 
 /// One measurement of the windings.
 struct WindingMeasurement {

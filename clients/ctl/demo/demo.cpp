@@ -29,7 +29,7 @@ bool confirm_holder(const Ball& ball) {
   return key == '\n' && !interrupted();
 }
 
-void print_summary(const TourRecord& record, const protocol::LimitsDescription& limits,
+void print_summary(const TourRecord& record, const model::Limits& limits,
                    const protocol::Status& last, double seconds) {
   std::printf("\n %s s: 6 pulses, a circle, a skid, a compass, one long push. All coils are off.\n",
               fixed(seconds, 0).c_str());

@@ -24,7 +24,7 @@ class TourPlayer {
 
   Outcome<void> play();
 
-  const protocol::LimitsDescription& limits() const noexcept { return ball_.description.limits; }
+  const model::Limits& limits() const noexcept { return ball_.description.limits; }
   const TourRecord& record() const noexcept { return record_; }
   /// Start, device time.
   std::int64_t began_ns() const noexcept { return start_ns_; }

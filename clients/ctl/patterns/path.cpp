@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <queue>
 
 #include "model/effect/keyframes.h"
+#include "model/magnets/arrangement.h"
 
 namespace hedgehog::client {
 
@@ -23,10 +23,6 @@ struct Part {
   double error_deg = 0.0;
   bool operator<(const Part& other) const noexcept { return error_deg < other.error_deg; }
 };
-
-double angle_deg(const Vec3& a, const Vec3& b) {
-  return std::atan2(norm(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
-}
 
 /// Rounded as in the file: four decimals are 0.01 degrees.
 Vec3 rounded(const Vec3& direction) {
@@ -51,7 +47,8 @@ Part part_of(const std::vector<PathPoint>& points, std::size_t first, std::size_
                                             played(points[last], from_ms)};
   for (std::size_t i = first + 1; i < last; ++i) {
     const auto at_ms = static_cast<double>(points[i].t_ms - from_ms);
-    const double error = angle_deg(model::point_at(ends, at_ms).direction, points[i].direction);
+    const double error =
+        model::angle_deg(model::point_at(ends, at_ms).direction, points[i].direction);
     if (error <= part.error_deg) continue;
     part.error_deg = error;
     part.worst = i;

@@ -48,7 +48,7 @@ std::string effect_words(const protocol::EffectStatus& effect) {
 }
 
 std::string thresholds_words(const Ball& ball) {
-  const protocol::LimitsDescription& limits = ball.description.limits;
+  const model::Limits& limits = ball.description.limits;
   return "derates at " + fixed(limits.derate_from_c, 0) + ", trips at " + fixed(limits.trip_c, 0);
 }
 
@@ -69,7 +69,7 @@ std::string hottest_winding(const protocol::Status& status) {
 std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii,
                              int gauge_columns) {
   const std::optional<double>& hottest = ball.status.temperature_c.model;
-  const protocol::LimitsDescription& limits = ball.description.limits;
+  const model::Limits& limits = ball.description.limits;
   const std::array marks{limits.derate_from_c, limits.trip_c};
   return row("temperature", hottest ? degrees(*hottest, ascii) : "unknown",
              bar(hottest.value_or(kScaleLowC), kScaleLowC, limits.trip_c + kScaleAboveTripC, marks,
@@ -92,8 +92,7 @@ std::string windings_line(const protocol::Status& status, bool ascii) {
 
 std::string thermistor_line(const Ball& ball, bool ascii) {
   const auto& temperature = ball.status.temperature_c;
-  const auto winding = static_cast<std::size_t>(
-      std::clamp<std::int64_t>(ball.description.thermal.sensor_winding, 0, 2));
+  const auto winding = static_cast<std::size_t>(ball.description.thermal.sensor_winding);
   std::string behind = std::string("on winding ") + kWindings[winding];
   if (!temperature.age_ms)
     behind += ", never read";

@@ -33,7 +33,7 @@ Health health_of(const Ball& ball) {
 
 std::string measures_of(const Ball& ball, std::optional<std::size_t> clients) {
   const Status& status = ball.status;
-  const protocol::LimitsDescription& limits = ball.description.limits;
+  const model::Limits& limits = ball.description.limits;
   std::string text;
   // The thresholds apply to the hottest winding; the thermistor, on one of them, has none.
   if (const auto& hottest = status.temperature_c.model) {

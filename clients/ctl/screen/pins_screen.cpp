@@ -20,12 +20,12 @@ constexpr double kStillMm = 0.005;
 constexpr double kGaugeMm = 0.5;
 constexpr std::size_t kFarthest = 5;
 
-std::size_t common_size(const protocol::PinsStatus& pins) {
+std::size_t common_size(const model::PinMotion& pins) {
   return std::min(pins.force_n.size(), pins.extension_mm.size());
 }
 
 /// The numbers of the extended pins, the most extended first.
-std::vector<std::size_t> pins_out(const protocol::PinsStatus& pins) {
+std::vector<std::size_t> pins_out(const model::PinMotion& pins) {
   std::vector<std::size_t> out(common_size(pins));
   std::iota(out.begin(), out.end(), std::size_t{0});
   std::erase_if(
@@ -36,14 +36,14 @@ std::vector<std::size_t> pins_out(const protocol::PinsStatus& pins) {
   return out;
 }
 
-std::string count_words(const protocol::PinsStatus& pins) {
+std::string count_words(const model::PinMotion& pins) {
   const auto in = std::count_if(pins.extension_mm.begin(), pins.extension_mm.end(),
                                 [](double mm) { return mm <= -kStillMm; });
   return std::to_string(pins_out(pins).size()) + " out, " + std::to_string(in) + " in";
 }
 
 std::string pin_line(const Ball& ball, std::size_t pin, bool ascii) {
-  const protocol::PinsStatus& pins = ball.status.pins;
+  const model::PinMotion& pins = ball.status.pins;
   const double out_mm = pins.extension_mm[pin];
   std::string rest;
   if (pin < ball.description.pins.size()) {

@@ -64,7 +64,6 @@ Outcome handle(Call& call, const protocol::DeviceDescribe&) {
   const DeviceView& device_view = call.device_view();
   const config::Config& config = device_view.config();
   const model::DeviceModel& device = config.device;
-  const model::Limits& l = device_view.limits();
   protocol::Description d;
   d.name = device.name;
   d.model = device.model;
@@ -86,18 +85,9 @@ Outcome handle(Call& call, const protocol::DeviceDescribe&) {
       winding = {r25->ohm, r25->from_file, r25->from_kept};
     d.coils.measured->push_back(winding);
   }
-  const model::ThermalModel& heat = device.thermal;
-  d.thermal = {heat.winding_j_k,
-               heat.core_j_k,
-               heat.winding_to_core_k_w,
-               heat.core_to_ambient_fan_k_w,
-               heat.core_to_ambient_still_k_w,
-               heat.sensor_winding,
-               heat.sensor_lag_s};
-  d.uncertainty = {device.uncertainty.thermal, device.uncertainty.resistance,
-                   device.uncertainty.thermistor_k};
-  d.limits = {l.current_a, l.continuous_a, l.felt_a, l.derate_from_c,
-              l.sustain_c, l.zero_c,       l.trip_c, l.rearm_c};
+  d.thermal = device.thermal;
+  d.uncertainty = device.uncertainty;
+  d.limits = device_view.limits();
   d.calibration.force_n_per_a = device.force_slope_n_a;
   d.gain = device_view.gain();
   d.board.backend = d.simulated ? "simulator" : "usb";

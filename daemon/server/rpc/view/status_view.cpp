@@ -103,7 +103,7 @@ void StatusView::refresh_forecast() {
   burst_s_ = device_view_.forecaster().burst_s(start);
 }
 
-protocol::PinsStatus StatusView::pins() const {
+model::PinMotion StatusView::pins() const {
   const StatusSnapshot& s = device_view_.now();
   // The device file describes a real ball until it is calibrated.
   const config::Config& config = device_view_.config();
@@ -116,10 +116,8 @@ protocol::PinsStatus StatusView::pins() const {
     flowing.a = truth.current_a;
   else if (s.board_present)
     flowing.a = flowing_a(s.board);
-  model::PinMotion motion =
-      model::pin_motion(device_view_.array(), device_view_.true_pin_curves(),
-                        model::field_of(flowing, ball.coils), ball.force_slope_n_a);
-  return {std::move(motion.force_n), std::move(motion.extension_mm)};
+  return model::pin_motion(device_view_.array(), device_view_.true_pin_curves(),
+                           model::field_of(flowing, ball.coils), ball.force_slope_n_a);
 }
 
 protocol::Status StatusView::status(bool with_pins) {

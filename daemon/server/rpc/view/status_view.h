@@ -24,7 +24,7 @@ class StatusView {
 
  private:
   void refresh_forecast();
-  protocol::PinsStatus pins() const;
+  model::PinMotion pins() const;
 
   const DeviceView& device_view_;
   EffectRegistry& effects_;
