@@ -467,10 +467,10 @@ PACKAGES_1 := web csharp godot python monitoring mqtt discovery deb
 PACKAGES_2 := vm
 PACKAGES_3 := vm web deb discovery
 .PHONY: packages-in-ci computing waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
-# What the stages of the day install, before the first one; node and npm are installed where they are missing.
 .PHONY: part-of-the-day
 part-of-the-day:
 	@echo $(PARTS)
+# What the stages of the day install, before the first one; node and npm are installed where they are missing.
 packages-in-ci:
 	@$(STAGE) packages cmake/bootstrap.sh $(call stages_of,PACKAGES)
 computing:

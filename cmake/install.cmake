@@ -15,7 +15,7 @@ endforeach()
 install(TARGETS ${client_libraries} EXPORT HedgehogTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${headers})
 install(DIRECTORY base model protocol DESTINATION ${headers} FILES_MATCHING PATTERN *.h
-        PATTERN identification EXCLUDE PATTERN schema EXCLUDE)
+        PATTERN keys EXCLUDE PATTERN identification EXCLUDE PATTERN schema EXCLUDE)
 install(DIRECTORY clients/lib DESTINATION ${headers}/clients FILES_MATCHING PATTERN *.h)
 install(EXPORT HedgehogTargets NAMESPACE Hedgehog:: DESTINATION ${package})
 configure_package_config_file(cmake/HedgehogConfig.cmake.in HedgehogConfig.cmake INSTALL_DESTINATION ${package})

@@ -75,12 +75,14 @@ Result<Message> read_notification(const std::string& method, const Json* params)
   static const Json kNone{Json::Object{}};
   const Json& json = params == nullptr ? kNone : *params;
   if (method == "event") {
-    EventMessage message{{}, to_text(json)};
+    EventMessage message;
+    message.json = to_text(json);
     const auto wrong = read(json, "the event", [&](Fields& f) { f.value(message.event); });
     return wrong ? Result<Message>(*wrong) : Message{std::move(message)};
   }
   if (method == "telemetry") {
-    TelemetryMessage message{{}, to_text(json)};
+    TelemetryMessage message;
+    message.json = to_text(json);
     const auto wrong = read(json, "the telemetry", [&](Fields& f) { f.value(message.telemetry); });
     return wrong ? Result<Message>(*wrong) : Message{std::move(message)};
   }

@@ -2,6 +2,7 @@
 #include "base/keys/key_tree.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>

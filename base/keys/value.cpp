@@ -63,12 +63,16 @@ void Value::put(const std::string& path, Value value) {
 
 std::string printable(std::string_view text) {
   std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F)
-      out += fmt::format("\\u{:04x}", byte);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    // U+0080 to U+009F are C2 80 to C2 9F in UTF-8.
+    const bool is_c1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;
+    if (byte < 0x20 || byte == 0x7F || is_c1)
+      out += fmt::format("\\u{:04x}", is_c1 ? next : byte);
     else
-      out += c;
+      out += text[i];
+    if (is_c1) ++i;
   }
   return out;
 }

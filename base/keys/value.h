@@ -38,7 +38,7 @@ struct Value {
 /// "12", "\"abc\"", "an object": for "must be …, not …". Long texts are truncated.
 std::string describe(const Value& value);
 
-/// On one line of a terminal: control characters as "\u001b".
+/// On one line of a terminal: control characters, C1 too, as "\u001b".
 std::string printable(std::string_view text);
 
 }  // namespace hedgehog::keys

@@ -80,7 +80,7 @@ struct Description {
   CoilsDescription coils{};
   model::ThermalModel thermal{};  // without `fan_full_rpm`; `sensor_winding` is 0..2
   model::ThermalUncertainty uncertainty{};
-  model::Limits limits{};
+  model::Limits limits{0, 0, 0, 0, 0, 0, 0, 0};  // none is assumed
   CalibrationDescription calibration{};
   double gain = 1.0;  // output.set_gain
   BoardDescription board{};

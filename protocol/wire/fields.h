@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Mapping between a value and its JSON object, defined once: the value's `describe(fields)` names
-// each field, and the subclass of `Fields` reads, writes or lists it.
+// Mapping between a value and its JSON object, defined once: the value's `describe(fields)`, or
+// for a value of the model `describe(fields, value)`, names each field, and the subclass of
+// `Fields` reads, writes or lists it.
 #pragma once
 
 #include <algorithm>

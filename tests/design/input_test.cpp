@@ -111,6 +111,8 @@ TEST(DesignFile, ErrorsNameTheKey) {
   EXPECT_THAT(sentence(R"({"sphere_mm": "35"})"),
               HasSubstr("sphere_mm: must be a number, 5 to 500, not \"35\""));
   EXPECT_THAT(sentence(R"({"magnet": "8"})"), HasSubstr("magnet: '8' is not a magnet"));
+  EXPECT_THAT(sentence(R"({"magnet": "\u001b[2J"})"), HasSubstr("'\\u001b[2J' is not a magnet"));
+  EXPECT_THAT(sentence(R"({"sphere_mm": "\u009b2J"})"), HasSubstr("not \"\\u009b2J\""));
   EXPECT_THAT(sentence(R"({"removed_pins": [-1]})"),
               HasSubstr("removed_pins: must be a list of ids"));
 }

@@ -158,8 +158,15 @@ TEST(Results, EveryKindIsDecodedUnchanged) {
   description.coils.measured = {{0.4512, 0.0027, -0.012}, {0.46, 0.0, std::nullopt}, {}};
   description.thermal = {{60, 58, 57}, 84, {1, 0.9, 1.1}, 1.8, 5, 2, 1.5};
   description.uncertainty = {0.06, 0.01, 0.5};
+  description.limits = {14, 4, 2, 59, 66, 68, 69, 44};
   description.board = {"simulator", true, std::nullopt, "1.02", "1.2"};
   EXPECT_EQ(*decode_result<Description>(result_of(description)), description);
+  EXPECT_EQ(decode_result<Description>("{}")->limits.current_a, 0.0);
+  for (const auto& [sent, winding] : {std::pair{"9", 2}, {"-1", 0}, {"1099511627776", 2}, {"1", 1}})
+    EXPECT_EQ(
+        decode_result<Description>(std::string(R"({"thermal":{"sensor_winding":)") + sent + "}}")
+            ->thermal.sensor_winding,
+        winding);
   TelemetryResult telemetry{100.0, {}};
   telemetry.fields.add(StatusKey::kOrientation);
   EXPECT_EQ(result_of(telemetry), R"({"rate_hz":100,"fields":["orientation"]})");

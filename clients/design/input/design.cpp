@@ -5,6 +5,7 @@
 #include <array>
 #include <regex>
 
+#include "base/keys/value.h"
 #include "base/spelling.h"
 #include "clients/design/input/positions_file.h"
 
@@ -25,7 +26,7 @@ Problem unknown(const std::string& name) {
   const auto nearest =
       std::min_element(kNames.begin(), kNames.end(),
                        [&](const char* a, const char* b) { return distance(a) < distance(b); });
-  std::string sentence = "unknown array '" + name + "'";
+  std::string sentence = "unknown array '" + keys::printable(name) + "'";
   // A name that differs by more than half is not similar.
   if (2 * distance(*nearest) <= std::max<std::size_t>(name.size(), 2)) {
     sentence += "; did you mean '" + std::string(*nearest) + "'?";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/keys/value.h"
 #include "base/number_text.h"
 #include "clients/design/input/number.h"
 
@@ -24,7 +25,7 @@ Problem error_message(const std::string& what, const std::string& reason) {
   return {kUsage, what + ": " + reason};
 }
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string quoted(std::string_view text) { return "'" + keys::printable(text) + "'"; }
 
 /// Splits at the 'x' between diameter and height.
 std::optional<std::array<std::string_view, 2>> halves(std::string_view text) {
