@@ -85,7 +85,11 @@ std::vector<Key<Draft>> make_keys() {
       keys::number_key<D>("floor", 0, kMany, draft(&D::floor)),
       keys::number_key<D>("ceiling", 0, kMany, draft(&D::ceiling)),
       keys::number_key<D>("step_ratio", 0.01, 100, draft(&D::step_ratio)),
-      {"stages", [](D& d, const Value& v) { return d.stages = v, Reason(); },
+      {"stages",
+       [](D& d, const Value& v) {
+         d.stages = v;
+         return Reason();
+       },
        [](const D& d) { return d.stages; }},
       keys::integer_key<D>("positives_down", 1, 10, rule(&R::positives_down)),
       keys::integer_key<D>("negatives_up", 1, 10, rule(&R::negatives_up)),

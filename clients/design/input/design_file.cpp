@@ -58,7 +58,7 @@ Key<Design> ids_key(std::string path, std::vector<int> Design::*member) {
           },
           [member](const Design& design) {
             std::vector<Value> ids;
-            for (const int id : design.*member) ids.push_back(Value::of(double{1.0} * id));
+            for (const int id : design.*member) ids.push_back(Value::of(static_cast<double>(id)));
             return Value::array(std::move(ids));
           }};
 }
