@@ -23,6 +23,19 @@ export function launch(names = []) {
   });
 }
 
+/** Sixty frames a second, drawn in software, take a whole processor; five show the same. */
+function drawSeldom() {
+  const next = window.requestAnimationFrame;
+  window.requestAnimationFrame = (draw) => setTimeout(next, 200, draw);
+}
+
+/** An empty page in a context of its own, which draws five frames a second. */
+export async function newPage(browser, device) {
+  const context = await browser.newContext(device);
+  await context.addInitScript(drawSeldom);
+  return context.newPage();
+}
+
 /** Errors on the pages of a test: uncaught errors always, the browser's console errors unless they are expected. */
 export class PageErrors {
   errors = [];

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach } from "node:test";
 
 import { Address } from "./address.mjs";
-import { PageErrors, kDesktop, launch } from "./browser.mjs";
+import { PageErrors, kDesktop, launch, newPage } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
 import { kTimeout } from "./timeouts.mjs";
 
@@ -38,7 +38,7 @@ export async function keepAddress() {
 
 /** `prepare(page)` is called before anything is loaded. */
 export async function open(path = "/", device = kDesktop, prepare = () => {}) {
-  page = await (await browser.newContext(device)).newPage();
+  page = await newPage(browser, device);
   page.setDefaultTimeout(kTimeout.timeout);
   pageErrors.watch(page);
   await prepare(page);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, afterEach, before } from "node:test";
 
 import { Address } from "./address.mjs";
-import { PageErrors, launch } from "./browser.mjs";
+import { PageErrors, launch, newPage } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
 import { kTimeout } from "./timeouts.mjs";
 import { Racer } from "./racer.mjs";
@@ -46,7 +46,7 @@ export async function keepAddress() {
 
 /** An empty page. */
 export async function openBlank(device = kSmall) {
-  page = await (await browser.newContext(device)).newPage();
+  page = await newPage(browser, device);
 }
 
 export async function open(device = kSmall) {

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { kAxe, kDesktop, kPhone } from "./browser.mjs";
+import { kAxe, kDesktop, kPhone, newPage } from "./browser.mjs";
 import { eventually, kTimeout } from "./timeouts.mjs";
 import { at, browser, pageErrors, daemon, keepAddress, kSmall, open, openBlank, page, racer, startDaemon, startRacer, until } from "./race.mjs";
 
@@ -60,7 +60,7 @@ test("keys drive, pause and reset the car, and released keys stop driving it", a
 test("a page that closes releases its keys", async () => {
   await startRacer();
   await open();
-  const other = await (await browser.newContext(kSmall)).newPage();
+  const other = await newPage(browser, kSmall);
   await other.goto(racer.url);
   await other.waitForSelector("body[data-link=open]", kTimeout);
   await other.keyboard.down("KeyW");

@@ -3,8 +3,9 @@
 import assert from "node:assert/strict";
 import { setTimeout } from "node:timers/promises";
 
-/** Without a graphics card a busy machine takes seconds to draw a page. */
-export const kTimeout = { timeout: 120_000 };
+/** Without a graphics card a busy machine takes seconds to draw a page. A condition that is checked at each frame, which is
+ * playwright's default, has the browser draw sixty of them a second. */
+export const kTimeout = { timeout: 120_000, polling: 50 };
 
 /** Waits until `condition`, which runs outside the page, returns a value. */
 export async function eventually(condition) {

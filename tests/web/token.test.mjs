@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
-import { PageErrors, kDesktop, launch } from "./browser.mjs";
+import { PageErrors, kDesktop, launch, newPage } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
 import { kTimeout } from "./timeouts.mjs";
 
@@ -34,7 +34,7 @@ afterEach(async () => {
 
 /** `prepare(page)` is called before anything is loaded. */
 async function open(path = "/", prepare = () => {}) {
-  page = await (await browser.newContext({ ...kDesktop, ignoreHTTPSErrors: true })).newPage();
+  page = await newPage(browser, { ...kDesktop, ignoreHTTPSErrors: true });
   page.setDefaultTimeout(kTimeout.timeout);
   pageErrors.watch(page);
   await prepare(page);
