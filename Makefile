@@ -448,7 +448,7 @@ ifndef PARTS
 PARTS := $(shell expr $$(date +%s) / 86400 % 3 + 1)
 endif
 export PARTS
-COMPUTING := mutations-in-ci coverage shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
+COMPUTING := mutations-in-ci coverage firmware shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
 COMPUTING_1 := asan-tests asan-programs fuzz-in-ci
 COMPUTING_2 := check-in-ci
 COMPUTING_3 := tsan-tests tsan-programs
@@ -494,7 +494,6 @@ mutations-in-ci:
 # What is quick and fails often comes first. The pages are bundled before two lanes need them.
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
-	$(MAKE) firmware
 	$(MAKE) $(CONFIGURED_BENCH)
 	-$(MAKE) dashboard racer-page
 	tests/side_by_side.sh waiting-and-beside computing

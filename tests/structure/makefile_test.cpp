@@ -100,7 +100,7 @@ TEST(Stages, BeginOnlyBeforeTheDeadline) {
   EXPECT_EQ(skipped.stages, "late\tno-such-target\nlate\thelp\n");
 }
 
-/// The stages of `make test-all` after the firmware, on a day with these parts.
+/// The stages of `make test-all`, on a day with these parts.
 std::string stages_of(const std::string& parts) {
   return commands_of("computing waiting beside PARTS='" + parts + "'");
 }
@@ -124,8 +124,9 @@ TEST(Stages, OfThreeDaysAreAllAndEachLongOneIsOfOneDay) {
 TEST(Stages, OfEachDayAreTheGuardsAndMutantsAndWhatShips) {
   for (const char* part : {"1", "2", "3", "1 2 3"}) {
     const std::string stages = stages_of(part);
-    for (const char* stage : {"mutations-in-ci", "coverage", "shipped", "instructions", "faults-ci",
-                              " guards-in-ci", "firmware-guards-in-ci", "test-json-rpc"})
+    for (const char* stage :
+         {"mutations-in-ci", "coverage", " firmware ", "shipped", "instructions", "faults-ci",
+          " guards-in-ci", "firmware-guards-in-ci", "test-openrpc", "test-json-rpc"})
       EXPECT_THAT(stages, HasSubstr(stage)) << part;
   }
 }
