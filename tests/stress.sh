@@ -31,7 +31,7 @@ for round in $(seq "$rounds"); do
   : >"$HEDGEHOG_STAGES"
   SECONDS=0
   make test >"$out/$round.log" 2>&1 || failed=1
-  tests/side_by_side.sh waiting-and-beside computing >>"$out/$round.log" 2>&1 || failed=1
+  tests/side_by_side.sh waiting-and-beside computing-tests >>"$out/$round.log" 2>&1 || failed=1
   printf 'whole\t%d\n' "$SECONDS" >>"$HEDGEHOG_STAGES"
   echo "round $round of $rounds, part $PARTS"
   cmake/stage_table.sh "$HEDGEHOG_STAGES" "$out/$round.json"
