@@ -318,6 +318,11 @@ test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm build/.packages-firmware 
 shipped: $(CONFIGURED_BENCH)
 	@$(LOCK_BENCH) $(STAGE) 'build shipped' $(BUILD_BENCH) --target programs campaigns
 
+# With the pages, which are there before the stages that run side by side: a file that one installs is not written again by another.
+.PHONY: shipped-pages
+shipped-pages: shipped dashboard racer-page
+	@mkdir -p build/bench/share && cp -ruT $(PAGES) build/bench/share/hedgehog
+
 # Some of the end-to-end tests of dev on them.
 .PHONY: test-shipped
 test-shipped: shipped dev
@@ -329,14 +334,13 @@ faults-ci: shipped
 
 # What ships in a prefix of its own, and the C++ program of clients/cpp.md compiled against it.
 .PHONY: test-install
-test-install: shipped
+test-install: shipped-pages
 	@$(STAGE) 'tests install' tests/install/run.sh build/bench
 
 # Debian packages of what `make release` built, or of another build: PACKED=build/bench.
 PACKED ?= build/release
 deb: build/.packages-deb
-	@$(MAKE) --no-print-directory $(if $(filter build/bench,$(PACKED)),shipped dashboard racer-page,release)
-	@$(if $(filter build/release,$(PACKED)),,mkdir -p $(PACKED)/share && cp -rT $(PAGES) $(PACKED)/share/hedgehog)
+	@$(MAKE) --no-print-directory $(if $(filter build/bench,$(PACKED)),shipped-pages,release)
 	@$(STAGE) 'build deb' cmake/deb.sh $(PACKED) build/deb
 
 # Installed, used, upgraded and purged in a fresh system below build/; packed a second time, with equal bytes.
@@ -455,11 +459,11 @@ COMPUTING_1 := asan-tests asan-programs fuzz-in-ci
 COMPUTING_3 := tsan-tests tsan-programs
 WAITING_1 := test-sdk
 WAITING_2 := test-usb
-WAITING_3 := 'test-deb test-service PACKED=build/bench' test-install
+WAITING_3 := 'test-deb test-service PACKED=build/bench'
 BESIDE := test-openrpc test-json-rpc
 BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release
 BESIDE_2 := rehearsal test-shipped
-BESIDE_3 := test-web
+BESIDE_3 := test-web test-install
 PART_FIRST := $(filter 1,$(shell expr $$(date +%s) / 86400 / 3 % 2))
 parts_of = $(if $(filter-out 1 2 3,$(PARTS)),$(error PARTS is $(PARTS): 1, 2, 3 or several of them))$(foreach part,$(PARTS),$($1_$(part)))
 stages_of = $(if $(PART_FIRST),$(call parts_of,$1) $($1),$($1) $(call parts_of,$1))
