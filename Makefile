@@ -462,15 +462,15 @@ WAITING_2 := test-usb
 WAITING_3 := 'test-deb test-service PACKED=build/bench'
 BESIDE := test-openrpc test-json-rpc
 BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release
-BESIDE_2 := rehearsal test-shipped
-BESIDE_3 := test-web test-install
+BESIDE_2 := rehearsal test-shipped test-web
+BESIDE_3 := test-install
 PART_FIRST := $(filter 1,$(shell expr $$(date +%s) / 86400 / 3 % 2))
 parts_of = $(if $(filter-out 1 2 3,$(PARTS)),$(error PARTS is $(PARTS): 1, 2, 3 or several of them))$(foreach part,$(PARTS),$($1_$(part)))
 stages_of = $(if $(PART_FIRST),$(call parts_of,$1) $($1),$($1) $(call parts_of,$1))
 PACKAGES := build test firmware json_rpc bench
 PACKAGES_1 := web csharp godot python monitoring mqtt discovery deb
-PACKAGES_2 := vm
-PACKAGES_3 := vm web deb discovery
+PACKAGES_2 := vm web
+PACKAGES_3 := vm deb discovery
 .PHONY: packages-in-ci computing computing-tests waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 .PHONY: part-of-the-day
 part-of-the-day:
