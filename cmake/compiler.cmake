@@ -16,10 +16,9 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_BUILD_TYPE RelWithDebInfo)
   endif()
 
-  # Development builds keep assert(); layers that simulate hours of heat set -O2 themselves (layer.cmake). The lines of the source,
-  # which cost a tenth of a build, are for the reports of sanitizers only.
+  # Development builds keep assert(); layers that simulate hours of heat set -O2 themselves (layer.cmake). The lines of the source
+  # cost a tenth of a build: only sanitizers have them.
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0")
-  add_compile_options($<$<BOOL:${HEDGEHOG_SANITIZE}>:-g1>)
   set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
   add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
   # The hardening of Debian's own programs; no path of the build machine remains in them.

@@ -14,7 +14,8 @@ if(HEDGEHOG_FUZZ)
 endif()
 
 if(HEDGEHOG_SANITIZE)
-  set(flags -fsanitize=${HEDGEHOG_SANITIZE} -fno-omit-frame-pointer)
+  # Their reports name lines of the source.
+  set(flags -g1 -fsanitize=${HEDGEHOG_SANITIZE} -fno-omit-frame-pointer)
   if(HEDGEHOG_SANITIZE MATCHES undefined)
     list(APPEND flags -fno-sanitize-recover=undefined)
     if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
