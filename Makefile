@@ -306,7 +306,7 @@ reference-board: build/.packages-dashboard
 	@$(STAGE) 'tests reference-board' node --test tests/firmware_board/
 
 # The guest runs what ships: an emulated processor has no time for code that is not optimised. The firmware's image is not that of
-# `make firmware-guards`, which may run beside it.
+# `make firmware` and `make firmware-guards`, which may run beside it.
 USB_IMAGE := build/firmware/usb
 test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb firmware_image firmware_plant
@@ -318,10 +318,10 @@ test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm build/.packages-firmware 
 shipped: $(CONFIGURED_BENCH)
 	@$(LOCK_BENCH) $(STAGE) 'build shipped' $(BUILD_BENCH) --target programs campaigns
 
-# With the pages, which are there before the stages that run side by side: a file that one installs is not written again by another.
+# With their pages. Of two stages that run side by side the second one copies no file again (-u) that the first one may be reading.
 .PHONY: shipped-pages
 shipped-pages: shipped dashboard racer-page
-	@mkdir -p build/bench/share && cp -ruT $(PAGES) build/bench/share/hedgehog
+	@$(LOCK_BENCH) sh -c 'mkdir -p build/bench/share && cp -ruT $(PAGES) build/bench/share/hedgehog'
 
 # Some of the end-to-end tests of dev on them.
 .PHONY: test-shipped
@@ -337,7 +337,7 @@ faults-ci: shipped
 test-install: shipped-pages
 	@$(STAGE) 'tests install' tests/install/run.sh build/bench
 
-# Debian packages of what `make release` built, or of another build: PACKED=build/bench.
+# Debian packages of what `make release` built, or `make shipped`: PACKED=build/bench.
 PACKED ?= build/release
 deb: build/.packages-deb
 	@$(MAKE) --no-print-directory $(if $(filter build/bench,$(PACKED)),shipped-pages,release)
@@ -446,7 +446,7 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
 # none of the others from being tried; in CI one that would begin too late is not begun.
 # What takes longest is divided into three parts, of which each day has one: PARTS=2 is another, PARTS="1 2 3" is everything.
-# Every second time a part comes before the daily stages, so that a slow machine has no time for other ones.
+# Every second time a part comes before most of the daily stages, so that a slow machine has no time for other ones.
 # The emulated machines of test-usb and test-service are never side by side: each needs a processor.
 ifndef PARTS
 PARTS := $(shell expr $$(date +%s) / 86400 % 3 + 1)
@@ -454,7 +454,7 @@ endif
 export PARTS
 CHECKING := mutations-in-ci coverage
 CHECKING_2 := check-in-ci
-COMPUTING := firmware shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
+COMPUTING := shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
 COMPUTING_1 := asan-tests asan-programs fuzz-in-ci
 COMPUTING_3 := tsan-tests tsan-programs
 WAITING_1 := test-sdk
@@ -471,7 +471,8 @@ PACKAGES := build test firmware json_rpc bench
 PACKAGES_1 := web csharp godot python monitoring mqtt discovery deb
 PACKAGES_2 := vm web
 PACKAGES_3 := vm deb discovery
-.PHONY: packages-in-ci computing computing-tests waiting beside waiting-and-beside check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
+.PHONY: packages-in-ci computing computing-tests waiting beside waiting-and-beside
+.PHONY: check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 .PHONY: part-of-the-day
 part-of-the-day:
 	@echo $(PARTS)
@@ -479,10 +480,10 @@ part-of-the-day:
 packages-in-ci:
 	@$(STAGE) packages cmake/bootstrap.sh $(call stages_of,PACKAGES)
 computing:
-	@cmake/each_target.sh $(call stages_of,CHECKING) $(call stages_of,COMPUTING)
-# Without what judges the sources and the tests themselves: a busy machine can only make it late.
+	@cmake/each_target.sh firmware $(call stages_of,CHECKING) $(call stages_of,COMPUTING)
+# Without linters, coverage and mutants, whose results say nothing about a busy machine.
 computing-tests:
-	@cmake/each_target.sh $(call stages_of,COMPUTING)
+	@cmake/each_target.sh firmware $(call stages_of,COMPUTING)
 waiting:
 	@cmake/each_target.sh $(call stages_of,WAITING)
 beside:
@@ -502,7 +503,7 @@ mutations-in-ci:
 # What is quick and fails often comes first. The pages are bundled before two lanes need them.
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
-	$(MAKE) $(CONFIGURED_BENCH)
+	$(MAKE) $(CONFIGURED_DEV) $(CONFIGURED_BENCH)
 	-$(MAKE) dashboard racer-page
 	tests/side_by_side.sh waiting-and-beside computing
 

@@ -16,8 +16,8 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_BUILD_TYPE RelWithDebInfo)
   endif()
 
-  # Development builds keep assert(); layers that simulate hours of heat set -O2 themselves (layer.cmake). The lines of the source
-  # cost a tenth of a build: only sanitizers have them.
+  # Development builds keep assert(); layers that simulate hours of heat set -O2 themselves (layer.cmake). Line numbers for
+  # debuggers cost a tenth of a build: in spite of the build type's name, only those with a sanitizer have them.
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0")
   set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
   add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)

@@ -131,6 +131,15 @@ TEST(Stages, OfEachDayAreTheGuardsAndMutantsAndWhatShips) {
   }
 }
 
+TEST(Stages, OfABusyMachineAreAllThatTestTheProduct) {
+  const std::string tests = commands_of("computing-tests PARTS='1 2 3'");
+  for (const char* stage : {" firmware ", "shipped", "faults-ci", " guards-in-ci", "asan-programs",
+                            "fuzz-in-ci", "tsan-programs"})
+    EXPECT_THAT(tests, HasSubstr(stage));
+  for (const char* stage : {"mutations-in-ci", "coverage", "check-in-ci"})
+    EXPECT_THAT(tests, Not(HasSubstr(stage)));
+}
+
 TEST(Stages, ThatFailAreNamedAndTheOthersMade) {
   const TargetsMade made = make_each("no-such-target 'help JOBS=1' neither-this", "");
   EXPECT_EQ(made.code, 1);

@@ -44,7 +44,11 @@ export async function open(path = "/", device = kDesktop, prepare = () => {}) {
   await prepare(page);
   await page.goto((address ?? daemon).url + path);
   await page.waitForSelector("body[data-link=open][data-state=armed]", kTimeout);
-  await page.waitForFunction(() => window.dashboard.ball.pins.length === 86, null, kTimeout);
+  // What is under the pointer is known once the ball has been drawn.
+  await page.waitForFunction(() => {
+    const { pins, renderer } = window.dashboard.ball;
+    return pins.length === 86 && renderer.info.render.frame > 0;
+  }, null, kTimeout);
 }
 
 /** What a page that is being opened will send, in an array that grows. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Timeouts of the tests.
+// How long, and how often, the tests look whether something has happened.
 import assert from "node:assert/strict";
 import { setTimeout } from "node:timers/promises";
 
