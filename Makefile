@@ -63,7 +63,7 @@ help:
 	@echo 'make tls-latency  round trips and new connections over TLS, also of WebSocket, beside TCP'
 	@echo 'make bench-compare REV=main  this tree beside another revision, in the same rounds'
 	@echo 'make instructions  instructions of three requests and a tick, within 2 % of what is written; make instructions-write writes them'
-	@echo 'make stress     the tests of CI ROUNDS=5 times on a busy machine, each time another of the three parts (an hour a round)'
+	@echo 'make stress     the tests of CI ROUNDS=5 times on a busy machine, each time another of the three parts (up to an hour a round)'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
 
