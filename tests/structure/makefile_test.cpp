@@ -9,6 +9,9 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "tests/folders.h"
@@ -118,6 +121,35 @@ TEST(Stages, OfThreeDaysAreAllAndEachLongOneIsOfOneDay) {
     });
     EXPECT_EQ(found, 1) << stage;
     EXPECT_THAT(all, HasSubstr(stage));
+  }
+}
+
+/// What follows each "cmake/bootstrap.sh" in commands: the lists of packages, cmake/apt/<list>.txt.
+std::set<std::string> package_lists_in(const std::string& commands) {
+  const std::string script = "cmake/bootstrap.sh ";
+  std::set<std::string> lists;
+  for (std::size_t at = commands.find(script); at != std::string::npos;
+       at = commands.find(script, at + 1)) {
+    const std::size_t begin = at + script.size();
+    std::istringstream words(commands.substr(begin, commands.find('\n', begin) - begin));
+    for (std::string list; words >> list;) lists.insert(list);
+  }
+  return lists;
+}
+
+TEST(Stages, OfEachDayFindTheirPackagesInstalled) {
+  constexpr const char* kEach = "cmake/each_target.sh ";
+  for (const std::string part : {"1", "2", "3"}) {
+    std::string targets = "test ";
+    std::istringstream lines(stages_of(part));
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with(kEach)) targets += line.substr(std::strlen(kEach)) + " ";
+    std::erase(targets, '\'');
+    std::set<std::string> needed = package_lists_in(commands_of("-B " + targets + "PARTS=" + part));
+    ASSERT_GE(needed.size(), 6U) << targets;
+    // Installed where there is no node.
+    EXPECT_EQ(needed.erase("dashboard"), 1U);
+    EXPECT_EQ(package_lists_in(commands_of("packages-in-ci PARTS=" + part)), needed) << part;
   }
 }
 
