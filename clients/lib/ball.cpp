@@ -7,8 +7,6 @@
 namespace hedgehog {
 namespace {
 
-// The longest wait until the next connection that a daemon can ask for.
-constexpr client::Milliseconds kMaxRetryAfter{60'000};
 // Per frame: where decoding is slower than telemetry arrives, reading would not end.
 constexpr int kLinesPerFrame = 100;
 
@@ -271,8 +269,7 @@ client::ClientError Ball::end_connection(const client::ClientError& why) {
   client::Milliseconds min_wait{0};
   if (notice_) {
     reason += " (message: " + notice_->message + ")";
-    if (notice_->refusal && notice_->refusal->retry_after_ms)
-      min_wait = std::min(kMaxRetryAfter, client::Milliseconds(*notice_->refusal->retry_after_ms));
+    min_wait = client::retry_after(*notice_);
   }
   return fail_attempt(why.failure, "the connection to the daemon has ended: " + reason, min_wait);
 }

@@ -5,6 +5,7 @@
 #include <boost/assert/source_location.hpp>
 #include <boost/system/error_code.hpp>
 #include <boost/system/result.hpp>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,14 @@ struct ClientError {
   /// kRefused: the daemon's error.
   std::optional<protocol::RpcError> refusal{};
 };
+
+/// Whether a connection that failed or ended with `error` may succeed later although nobody changes
+/// anything: not with an invalid address, nor after a refusal, unless the daemon has too many
+/// clients (`busy`) or wants to be asked later about the token.
+bool may_connect_later(const ClientError& error) noexcept;
+
+/// `retry_after_ms` of the daemon's error, at most a minute; 0: not given.
+std::chrono::milliseconds retry_after(const ClientError& error) noexcept;
 
 /// "connection refused": the message of a socket's error, for use within a sentence.
 std::string reason_of(const boost::system::error_code& error);

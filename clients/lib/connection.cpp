@@ -80,8 +80,8 @@ Outcome<Connection> Connection::reopen(const std::vector<Address>& addresses,
   for (;;) {
     const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
     auto connection = open(addresses, std::clamp(left, Milliseconds(0), kConnectTimeout));
-    if (connection) return connection;
-    const auto pause = backoff.next();
+    if (connection || !may_connect_later(connection.error())) return connection;
+    const auto pause = std::max(backoff.next(), retry_after(connection.error()));
     if (Clock::now() + pause >= deadline) return connection;
     std::this_thread::sleep_for(pause);
   }

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -7,6 +11,8 @@
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
 #include "clients/common/text.h"
+#include "clients/lib/backoff.h"
+#include "clients/lib/client_error.h"
 #include "clients/lib/connection.h"
 #include "clients/orientation/indicator.h"
 #include "model/geometry/direction.h"
@@ -33,27 +39,37 @@ void print(const IndicatorReport& report) {
   std::fflush(stdout);
 }
 
-/// A refusal is permanent; a lost connection may be re-established.
-bool is_final(const ClientError& error) { return error.failure == Failure::kRefused; }
+/// `backoff` begins anew once the effect plays: a daemon that accepts connections and closes them
+/// is not asked more often than one that is not there.
+Outcome<void> indicate(Outcome<Connection>& opened, const IndicatorOptions& options,
+                       Backoff& backoff) {
+  if (!opened) return opened.error();
+  Connection& connection = *opened;
+  if (const auto hello = connection.hello("hedgehog-orientation/" HEDGEHOG_VERSION); !hello)
+    return hello.error();
+  return Indicator(connection, options).run(interrupted, [&](const IndicatorReport& report) {
+    backoff.reset();
+    print(report);
+  });
+}
 
 int run(const std::vector<Address>& addresses, const IndicatorOptions& options, bool wait) {
+  Backoff backoff;
   auto connection = Connection::open(addresses);
-  while (true) {
-    if (connection) {
-      (void)connection->hello("hedgehog-orientation/" HEDGEHOG_VERSION);
-      const auto outcome = Indicator(*connection, options).run(interrupted, print);
-      if (interrupted()) return kInterrupted;
-      if (outcome) return 0;
-      std::fprintf(stderr, "hedgehog-orientation: %s\n", outcome.error().message.c_str());
-      if (is_final(outcome.error())) return kUnavailable;
-    } else {
-      std::fprintf(stderr, "hedgehog-orientation: %s\n", connection.error().message.c_str());
-    }
-    if (!wait || interrupted()) return interrupted() ? kInterrupted : kUnavailable;
+  for (;;) {
+    const auto outcome = indicate(connection, options, backoff);
+    if (interrupted()) return kInterrupted;
+    if (outcome) return 0;
+    std::fprintf(stderr, "hedgehog-orientation: %s\n", outcome.error().message.c_str());
+    if (!wait || !may_connect_later(outcome.error())) return kUnavailable;
     std::fputs("hedgehog-orientation: waiting for the daemon\n", stderr);
+    auto pause = retry_after(outcome.error());
     do {
-      connection = Connection::reopen(addresses, milliseconds{1000});
-    } while (!connection && !interrupted());
+      pause = std::max(pause, backoff.next());
+      ::poll(nullptr, 0, static_cast<int>(pause.count()));  // a signal ends it
+      connection = Connection::open(addresses);
+      pause = connection ? milliseconds(0) : retry_after(connection.error());
+    } while (!connection && may_connect_later(connection.error()) && !interrupted());
   }
 }
 

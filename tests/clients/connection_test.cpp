@@ -66,34 +66,6 @@ TEST(Open, WorksOverAUnixSocketToo) {
   EXPECT_EQ(ball->call(protocol::Ping{}, kLongTimeout).value().time_ns, 42);
 }
 
-TEST(Reopen, FailsAfterItsTimeout) {
-  const auto none = Connection::reopen({SilentPort().address()}, 250ms);
-  ASSERT_FALSE(none.has_value());
-  EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
-}
-
-TEST(Reopen, ConnectsWhenTheDaemonRunsAgain) {
-  boost::asio::io_context io;
-  boost::asio::ip::tcp::acceptor acceptor(io, boost::asio::ip::tcp::v4());
-  acceptor.bind({boost::asio::ip::address_v4::loopback(), 0});
-  const Address address{.host = "127.0.0.1", .port = acceptor.local_endpoint().port()};
-  ASSERT_FALSE(Connection::open({address}, 200ms).has_value());
-  std::thread later([&] {
-    std::this_thread::sleep_for(150ms);
-    acceptor.listen();
-  });
-  EXPECT_TRUE(Connection::reopen({address}, kLongTimeout).has_value());
-  later.join();
-}
-
-TEST(Backoff, DoublesFromATenthOfASecondToFive) {
-  Backoff backoff;
-  for (const int expected : {100, 200, 400, 800, 1600, 3200, 5000, 5000})
-    EXPECT_EQ(backoff.next(), Milliseconds(expected));
-  backoff.reset();
-  EXPECT_EQ(backoff.next(), 100ms);
-}
-
 TEST(Call, SendsOneLineAndReturnsTheTypedResult) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <ostream>
@@ -215,6 +216,43 @@ TEST(IndicatorAlone, WaitsForADaemonToRestart) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, 130);
   EXPECT_THAT(ended.err, HasSubstr("waiting for the daemon"));
+}
+
+TEST(IndicatorAlone, ComesBackToAFullDaemonNoEarlierThanItAsks) {
+  const Home home;
+  home.configure(R"({"connections": {"max": 1}})");
+  DaemonProcess daemon(home);
+  auto other = std::make_unique<RawClient>(daemon.port());
+  ASSERT_TRUE(other->call("ping").contains("time_ns"));
+  const auto begun = std::chrono::steady_clock::now();
+  Program program(home, hedgehog_orientation(),
+                  {"--address", "127.0.0.1:" + std::to_string(daemon.port())});
+  const auto refusals = [&] {
+    const std::string err = program.err();
+    int count = 0;
+    for (std::size_t at = err.find("too many clients"); at != std::string::npos;
+         at = err.find("too many clients", at + 1))
+      ++count;
+    return count;
+  };
+  ASSERT_TRUE(eventually([&] { return refusals() >= 1; })) << program.err();
+  // Its message asks for a second.
+  ASSERT_TRUE(eventually(
+      [&] { return std::chrono::steady_clock::now() - begun > std::chrono::seconds(2); }));
+  const int refused = refusals();
+  EXPECT_LE(refused, 1 + (std::chrono::steady_clock::now() - begun) / std::chrono::seconds(1));
+  other.reset();
+  EXPECT_TRUE(program.prints("up is up"));
+}
+
+TEST(IndicatorAlone, EndsWith69WhenItsTokenIsRefused) {
+  const Home home;
+  DaemonProcess daemon(home);
+  const Ended ended = Program(home, hedgehog_orientation(), {},
+                              {"HEDGEHOG_ADDRESS=" + daemon.socket(), "HEDGEHOG_TOKEN=wrong"})
+                          .wait();
+  EXPECT_EQ(ended.exit_code, 69);
+  EXPECT_EQ(ended.err, "hedgehog-orientation: token: unknown or revoked\n");
 }
 
 TEST(IndicatorAlone, DoesNotPushAfterAnEmergencyStop) {
