@@ -8,10 +8,14 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "clients/study/journal/journal.h"
 #include "clients/study/report/bids.h"
@@ -106,11 +110,37 @@ TEST_F(ExcludedRuns, AreInReportAndExportWithTheReason) {
                                     [&](const Column& c) { return std::string(c.name) == name; });
     return static_cast<std::size_t>(found - columns().begin());
   };
-  for (const auto& row : rows_of(all[1].run, all[1].excluded->reason)) {
+  for (const auto& row : rows_of(all[1].run, {all[1].excluded->reason, false})) {
     EXPECT_EQ(row[place("included")], "0");
     EXPECT_EQ(row[place("excluded")], "fell <asleep>, twice");
   }
   EXPECT_EQ(content_of(study_.journal_path("P01", "force-jnd", 2)), journal);
+}
+
+TEST_F(ExcludedRuns, AndThoseBeforeAnotherRunAreMarkedAsInNoMean) {
+  exclude("P02", 1, "fell asleep");
+  ASSERT_TRUE(write_csv(folder_.path("data.csv"), runs()));
+  std::istringstream lines(content_of(folder_.path("data.csv")));
+  std::map<std::string, std::set<std::string>> marks;  // of each run, by the beginning of its lines
+  std::string heading;
+  std::getline(lines, heading);
+  EXPECT_TRUE(heading.ends_with(",in_mean"));
+  for (std::string line; std::getline(lines, line);)
+    marks[line.substr(0, std::strlen("P01,1,force-jnd,1,"))].insert(line.substr(line.rfind(',')));
+  const std::map<std::string, std::set<std::string>> expected{{"P01,1,force-jnd,1,", {",0"}},
+                                                              {"P01,1,force-jnd,2,", {",1"}},
+                                                              {"P02,1,force-jnd,1,", {",0"}}};
+  EXPECT_EQ(marks, expected);
+  const json beside = json::parse(content_of(folder_.path("data.csv.json")));
+  EXPECT_EQ(beside[0]["InMean"], false);
+  EXPECT_EQ(beside[1]["InMean"], true);
+}
+
+TEST_F(ExcludedRuns, AreInABidsFolderOfAnyNameAndAuthor) {
+  ASSERT_TRUE(write_bids(folder_.path("bids") + "/", study_, runs(), {"J\xfcrg"}));
+  const json description = json::parse(content_of(folder_.path("bids/dataset_description.json")));
+  EXPECT_EQ(description["Authors"][0], "J\xef\xbf\xbdrg") << "a replacement character";
+  EXPECT_FALSE(write_bids(folder_.path("bids") + "/", study_, runs()));
 }
 
 TEST_F(ExcludedRuns, CanBeIncludedAgain) {

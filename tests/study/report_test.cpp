@@ -31,7 +31,7 @@ std::map<std::string, std::string> named(const std::vector<std::string>& row) {
 }
 
 TEST(Rows, AreOneForEachPresentationBlock) {
-  const auto rows = rows_of(recorded());
+  const auto rows = rows_of(recorded(), {});
   ASSERT_EQ(rows.size(), 4U);
   for (const auto& row : rows) {
     ASSERT_EQ(row.size(), columns().size());
@@ -39,7 +39,7 @@ TEST(Rows, AreOneForEachPresentationBlock) {
     for (const char* column : {"time", "onset", "orientation_w"})
       EXPECT_NE(cells[column], "n/a") << cells["kind"] << ": " << column;
   }
-  EXPECT_EQ(columns().size(), 42U);
+  EXPECT_EQ(columns().size(), 43U);
   auto practice = named(rows[0]);
   EXPECT_EQ(practice["kind"], "practice");
   EXPECT_EQ(practice["included"], "0");
@@ -102,7 +102,7 @@ std::vector<std::string> onsets(const std::vector<StartedTrial>& trials) {
     put(trial.played_utc, Answered{Answer::kFirst, 640});
   }
   std::vector<std::string> found;
-  for (const auto& row : rows_of(RecordedRun::replay(lines).value()))
+  for (const auto& row : rows_of(RecordedRun::replay(lines).value(), {}))
     found.push_back(named(row)["onset"]);
   return found;
 }

@@ -67,8 +67,8 @@ std::string table(const AnalysedRun& run, std::string (*line)(const std::vector<
     for (const Column& column : columns()) names.emplace_back(column.name);
     text = line(names) + "\n";
   }
-  const auto excluded = run.excluded ? std::optional(run.excluded->reason) : std::nullopt;
-  for (const auto& row : rows_of(run.run, excluded)) text += line(row) + "\n";
+  const RunUse use{run.excluded ? std::optional(run.excluded->reason) : std::nullopt, run.in_group};
+  for (const auto& row : rows_of(run.run, use)) text += line(row) + "\n";
   return text;
 }
 
@@ -117,9 +117,12 @@ std::string readme(const StudyFolder& study) {
          "the\n"
          "protocol, the ball and the notes of the session are in the JSON file beside it. Rows "
          "with\n"
-         "included = 1 moved the staircase of a run that counts; the column excluded says why a "
-         "run\n"
-         "was left out of the means.\n";
+         "included = 1 moved the staircase of a run that was not excluded; the column excluded "
+         "says\n"
+         "why one was. Means are those of the rows with included = 1 and in_mean = 1: a run that "
+         "was\n"
+         "not finished, that another one follows, or that is simulated where people took the\n"
+         "experiment with a real ball, has in_mean = 0.\n";
 }
 
 /// The experimenters' codes, and the program: the BIDS validator warns about a single author.
@@ -152,9 +155,10 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
       {"Authors", authors.empty() ? experimenters(runs) : authors},
       {"GeneratedBy", {{{"Name", "hedgehog-study"}, {"Version", HEDGEHOG_VERSION}}}}};
   fs::create_directories(folder, failed);
-  if (auto written = write(folder / "dataset_description.json", description.dump(2) + "\n");
-      !written)
-    return written;
+  // A folder's name, and an author, may have any bytes.
+  const std::string text =
+      description.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  if (auto written = write(folder / "dataset_description.json", text); !written) return written;
   if (auto written = write(folder / "README", readme(study)); !written) return written;
   if (auto written = write(folder / "participants.json", participants_columns().dump(2) + "\n");
       !written)
@@ -164,9 +168,11 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
 
 }  // namespace
 
-Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
+Result<void> write_bids(const fs::path& out, const StudyFolder& study,
                         const std::vector<AnalysedRun>& runs,
                         const std::vector<std::string>& authors) {
+  // "bids/" is a path without a file name.
+  const fs::path folder = out.has_filename() ? out : out.parent_path();
   std::error_code failed;
   if (fs::exists(folder, failed))
     return Problem{EX_CANTCREAT, folder.string() + " is there already; --out names another"};

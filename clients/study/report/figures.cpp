@@ -67,6 +67,9 @@ std::string figure_name(const AnalysedRun& run) {
   return run.name.participant + "." + run.name.experiment + "." + std::to_string(run.name.run);
 }
 
+/// gnuplot refuses an axis without extent, and with it all figures that follow.
+double axis_top(double highest) { return highest > 0.0 ? highest : 1.0; }
+
 std::string staircase_plot(const AnalysedRun& analysed) {
   const Experiment& experiment = analysed.run.header().experiment;
   std::string levels;
@@ -83,6 +86,7 @@ std::string staircase_plot(const AnalysedRun& analysed) {
     top = std::max(top, level);
     trials = std::max(trials, trial.trial.number);
   }
+  top = axis_top(top);
   const std::string discard = std::to_string(experiment.rule.discard);
   const bool yes_no = experiment.task == Task::kYesNo;
   std::string plot =
@@ -153,7 +157,7 @@ std::string group_plot(const std::vector<AnalysedGroup>& groups) {
         "$people << END\n" + people + "END\n$mean << END\n0.45 " + decimal(middle) + " " +
         decimal(spread) + "\nEND\nset title \"" + title_of(group.experiment.quantity) + "\\n" +
         group.experiment.name +
-        "\" noenhanced\nset xrange [-0.5:0.75]\nset yrange [0:" + decimal(top * 1.15) +
+        "\" noenhanced\nset xrange [-0.5:0.75]\nset yrange [0:" + decimal(axis_top(top) * 1.15) +
         "]\nunset xtics\nset ytics nomirror\nset border 2\nset grid ytics lc '#e3e7ea' lt 1\n"
         "set key below maxrows 2 samplen 1.5\nplot " +
         (compared

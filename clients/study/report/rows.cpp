@@ -132,12 +132,14 @@ const std::vector<Column>& columns() {
       {"orientation_y", "its y"},
       {"orientation_z", "its z"},
       {"seed_order", "seed of the interval orders of this run"},
-      {"software_version", "hedgehog-study that recorded it"}};
+      {"software_version", "hedgehog-study that recorded it"},
+      {"in_mean",
+       "1: the run is in the mean of its experiment; 0: it is excluded, not finished, followed by "
+       "another run, or simulated where people took the experiment with a real ball"}};
   return kColumns;
 }
 
-std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
-                                              const std::optional<std::string>& excluded) {
+std::vector<std::vector<std::string>> rows_of(const RecordedRun& run, const RunUse& use) {
   const RunStarted& header = run.header();
   const Experiment& e = header.experiment;
   std::vector<std::vector<std::string>> rows;
@@ -172,8 +174,8 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
          std::to_string(rows.size() + 1),
          trial.kind == TrialKind::kScored && !is_void ? std::to_string(trial.number) : kNone,
          is_void ? "void" : std::string(name(trial.kind)),
-         flag(counts && !excluded),
-         excluded.value_or(kNone),
+         flag(counts && !use.excluded),
+         use.excluded.value_or(kNone),
          record.time,
          or_none(since_first, seconds),
          since_first && onset && second_onset ? seconds(*since_first + *second_onset - *onset)
@@ -207,7 +209,8 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
          axis(&model::Quaternion::y),
          axis(&model::Quaternion::z),
          std::to_string(header.seeds.order),
-         header.software_version});
+         header.software_version,
+         flag(use.in_mean)});
   }
   return rows;
 }

@@ -17,10 +17,16 @@ struct Column {
 /// In the order of the cells.
 const std::vector<Column>& columns();
 
-/// "n/a" for missing values. Device times are seconds with nine decimals. `excluded`: why the run
-/// was excluded; nullopt: included.
-std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
-                                              const std::optional<std::string>& excluded = {});
+/// How the report uses a run.
+struct RunUse {
+  /// Why the experimenter excluded it; nullopt: not excluded.
+  std::optional<std::string> excluded{};
+  /// `AnalysedRun::in_group`.
+  bool in_mean = false;
+};
+
+/// "n/a" for missing values. Device times are seconds with nine decimals.
+std::vector<std::vector<std::string>> rows_of(const RecordedRun& run, const RunUse& use);
 
 /// Tabs and line feeds in cells are replaced by spaces.
 std::string tsv_line(const std::vector<std::string>& cells);

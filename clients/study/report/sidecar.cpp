@@ -90,6 +90,7 @@ std::string bids_sidecar(const AnalysedRun& analysed) {
                       {"SoftwareVersion", header.software_version}}},
                     {"Excluded", analysed.excluded ? ordered_json(analysed.excluded->reason)
                                                    : ordered_json("n/a")},
+                    {"InMean", analysed.in_group},
                     {"Started", analysed.run.started()},
                     {"Status", name(analysed.analysis.status)},
                     {"Threshold", or_missing(analysed.analysis.threshold_text)},

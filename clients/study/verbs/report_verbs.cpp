@@ -180,6 +180,7 @@ int run_export(const ExportOptions& options) {
   const auto analysed = analysed_runs();
   if (!analysed) return report_error(analysed.error().exit_code, analysed.error().message);
   const auto& [study, runs, code] = *analysed;
+  warn_of_simulated(runs);
   const bool bids = options.format == "bids";
   const fs::path out =
       options.out.empty() ? study.path() / (bids ? "bids" : "data.csv") : fs::path(options.out);

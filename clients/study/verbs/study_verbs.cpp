@@ -112,7 +112,8 @@ int run_status(bool json) {
     cells.emplace_back(name, excluded != nullptr ? "excluded" : run_summary(*run));
   }
   if (json) {
-    std::puts(all.dump().c_str());
+    // A folder's name may have any bytes.
+    std::puts(all.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     return code;
   }
   // Those of the plan first, then additional participants and experiments.
