@@ -64,6 +64,10 @@ Result<ParticipantServer> ParticipantServer::listen(const std::filesystem::path&
   if (!address) return Problem{EX_CANTCREAT, path.string() + ": too long for a socket's path"};
   ParticipantServer server;
   server.path_ = path;
+  if (const int other = connected(*address); other >= 0) {
+    ::close(other);
+    return Problem{EX_CANTCREAT, path.string() + ": another run in this folder has it"};
+  }
   server.listener_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   ::unlink(path.c_str());
   if (server.listener_ < 0 || ::bind(server.listener_, plain(*address), sizeof *address) != 0 ||

@@ -17,7 +17,8 @@ namespace hedgehog::study {
 /// The run's side of the socket. Works without any connected page.
 class ParticipantServer {
  public:
-  /// Listens at `path`; a socket left by a killed run is replaced.
+  /// Listens at `path`; a socket left by a killed run is replaced. EX_CANTCREAT if another run
+  /// listens there.
   static Result<ParticipantServer> listen(const std::filesystem::path& path);
   ParticipantServer(ParticipantServer&& other) noexcept;
   ParticipantServer& operator=(ParticipantServer&&) = delete;
