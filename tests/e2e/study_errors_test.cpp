@@ -130,6 +130,9 @@ TEST_F(Study, ADamagedJournalIsNoUnfinishedRun) {
     EXPECT_EQ(ended.exit_code, 65) << verb;
     EXPECT_THAT(ended.err, HasSubstr("is damaged")) << verb;
   }
+  const Ended another = study({"run", "quick", "--participant", "P01", "--simulated"});
+  EXPECT_EQ(another.exit_code, 65);
+  EXPECT_THAT(another.err, HasSubstr("is damaged"));
   EXPECT_EQ(home_.read("th/journal/P01.quick.1.jsonl"), text);
 }
 

@@ -85,6 +85,8 @@ int run_run(const RunOptions& options) {
     if (!checked) return report_error(checked.error());
   const RunHistory runs = run_history(*study, options.participant, experiment->name);
   if (runs.last && !runs.over && !options.again) {
+    if (const auto readable = read_run(runs.last->path); !readable)
+      return report_error(readable.error());
     return study::report_error(EX_TEMPFAIL,
                                runs.last->path.string() +
                                    " is not finished: hedgehog-study resume goes on with "
