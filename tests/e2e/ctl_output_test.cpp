@@ -48,6 +48,12 @@ TEST_F(CtlOutput, ErrorsAreJsonForPrograms) {
   EXPECT_THAT(Json::parse(wrong.err)["error"]["message"].get<std::string>(), HasSubstr("--loud"));
 }
 
+TEST_F(CtlOutput, AGainHasAllItsDigits) {
+  EXPECT_EQ(Json::parse(ctl({"gain", "0.0042", "--json"}).out)["gain"], 0.0042);
+  EXPECT_EQ(Json::parse(ctl({"gain", "--json"}).out)["gain"], 0.0042);
+  EXPECT_THAT(ctl({"gain"}).out, HasSubstr("gain 0.0042:"));
+}
+
 TEST_F(CtlOutput, InvalidUtf8IsAUsageError) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"pulse", "\xff"},
                                                 {"play", "\xff"},

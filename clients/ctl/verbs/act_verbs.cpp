@@ -2,6 +2,8 @@
 #include "clients/ctl/verbs/act_verbs.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "clients/ctl/terminal/words.h"
 
@@ -53,8 +55,14 @@ int run_gain(Session& session, std::optional<double> gain) {
     if (!description) return report_error(description.error());
     set = description->gain;
   }
-  std::printf(session.json ? "{\"gain\":%s}\n" : "gain %s: every effect is scaled by it\n",
-              fixed(set, 2).c_str());
+  if (session.json) {
+    std::puts(nlohmann::json{{"gain", set}}.dump().c_str());
+  } else {
+    const std::string two = fixed(set, 2);
+    const std::string four = fixed(set, 4);
+    std::printf("gain %s: every effect is scaled by it\n",
+                (two + "00" == four ? two : four).c_str());
+  }
   return kDone;
 }
 
