@@ -10,6 +10,7 @@
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 #include "tests/rig/heated_ball.h"
 
 namespace hedgehog::e2e {
@@ -21,7 +22,9 @@ class CalibrateThermal : public testing::Test {
  protected:
   Ended interrupted_after(const std::string& shown, std::vector<std::string> more) const {
     Program running(home_, hedgehogctl(), words(std::move(more)), where());
-    EXPECT_TRUE(running.prints(shown));
+    // Preceded by a minute of the ball's time.
+    EXPECT_TRUE(
+        wait_until([&] { return running.out().find(shown) != std::string::npos; }, kLongTimeout));
     running.signal(SIGINT);
     return running.wait();
   }
