@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <mutex>
 #include <utility>
 
 #include "daemon/device/sensors/usb_ports.h"
@@ -50,6 +51,9 @@ OpenedHid open_hidraw(const HidDevice& device) {
     if (errno == EACCES) opened.failure += "; the udev rule gives it to the group hedgehog";
     return opened;
   }
+  // Each opening replaces the text of hidapi's last error, which all threads share.
+  static std::mutex opening;
+  const std::lock_guard lock(opening);
   if (hid_device* handle = hid_open_path(device.hidraw.c_str()))
     opened.port = std::make_unique<HidrawPort>(handle);
   else
