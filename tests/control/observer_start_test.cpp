@@ -55,20 +55,26 @@ TEST(ObserverStart, WithoutASavedStateEachNodeIsAtTheThermistor) {
 }
 
 TEST(ObserverStart, ASavedStateThatTheThermistorConfirmsIsTaken) {
-  const model::ThermalState nodes{{50.0, 40.0, 35.0}, 33.0};
-  expect_start(saved(nodes), 33.0, known(nodes, 0.4));
+  const model::ThermalState nodes{{34.0, 40.0, 35.0}, 33.0};
+  for (const double sensor_c : {33.0, 32.1})
+    expect_start(saved(nodes), sensor_c, known(nodes, 0.4));
 }
 
-TEST(ObserverStart, AColderThermistorLowersNothing) {
-  const model::ThermalState nodes{{50.0, 40.0, 35.0}, 33.0};
-  expect_start(saved(nodes), 25.0, known(nodes, 0.4));
+TEST(ObserverStart, AThermistorThatIsColderThanSavedLowersNothingButTheConfidence) {
+  const model::ThermalState nodes{{34.0, 40.0, 35.0}, 33.0};
+  for (const double sensor_c : {31.9, 25.0}) {
+    model::ThermalStart guessed = known(nodes, 0.0);
+    guessed.known = false;
+    guessed.measured = {};
+    expect_start(saved(nodes), sensor_c, guessed);
+  }
 }
 
 TEST(ObserverStart, AWarmerThermistorRaisesTheColderNodesAndTheirDeviation) {
-  expect_start(saved({{50.0, 40.0, 50.0}, 30.0}), 34.0,
-               known({{50.0, 40.0, 50.0}, 34.0}, 0.4 + 0.5 * 3.0));
-  expect_start(saved({{50.0, 29.0, 30.0}, 40.0}), 34.0,
-               known({{50.0, 34.0, 34.0}, 40.0}, 0.4 + 0.5 * 4.0));
+  expect_start(saved({{34.0, 40.0, 50.0}, 30.0}), 34.0,
+               known({{34.0, 40.0, 50.0}, 34.0}, 0.4 + 0.5 * 3.0));
+  expect_start(saved({{34.0, 29.0, 30.0}, 40.0}), 34.0,
+               known({{34.0, 34.0, 34.0}, 40.0}, 0.4 + 0.5 * 4.0));
   expect_start(saved({{30.0, 30.0, 30.0}, 30.0}), 30.9, known({{30.9, 30.9, 30.9}, 30.9}, 0.4));
 }
 

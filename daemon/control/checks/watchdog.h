@@ -59,8 +59,10 @@ class Watchdog {
   Reason arming_blocker() const noexcept;
 
   /// The thermistor that the device file specifies.
-  const ThermistorCheck& sensor() const noexcept {
-    return thermistor_checks_[static_cast<std::size_t>(sensor_winding_)];
+  const ThermistorCheck& sensor() const noexcept { return thermistor(sensor_winding_); }
+  /// That of winding `coil`; never usable where the board has none.
+  const ThermistorCheck& thermistor(int coil) const noexcept {
+    return thermistor_checks_[static_cast<std::size_t>(coil)];
   }
   const BoardCheck& board() const noexcept { return board_; }
   const OverTemperatureCheck& heat() const noexcept { return heat_; }
