@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/net/accepted_socket.h"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 #include "daemon/server/net/peer_of.h"
 #include "daemon/server/net/tcp_acceptor.h"
 
@@ -8,6 +12,26 @@ namespace hedgehog::server {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
+
+namespace {
+
+// A client whose computer has no power or no network any more is gone after 30 s: its place, its
+// claim and its effects are free then.
+constexpr int kIdleS = 15;
+constexpr int kProbeS = 5;
+constexpr int kProbes = 3;
+
+void probe_when_idle(asio::ip::tcp::socket& socket) noexcept {
+  const auto set = [&](int level, int name, int value) {
+    ::setsockopt(socket.native_handle(), level, name, &value, sizeof value);
+  };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, kIdleS);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, kProbeS);
+  set(IPPROTO_TCP, TCP_KEEPCNT, kProbes);
+}
+
+}  // namespace
 
 bool is_reset(const asio::ip::tcp::socket& socket) {
   error_code error;
@@ -18,6 +42,7 @@ bool is_reset(const asio::ip::tcp::socket& socket) {
 Session session_of(asio::ip::tcp::socket& socket) {
   error_code ignored;
   socket.set_option(asio::ip::tcp::no_delay(true), ignored);
+  probe_when_idle(socket);
   Session session;
   session.transport = "tcp";
   const asio::ip::tcp::endpoint peer = socket.remote_endpoint(ignored);
