@@ -3,9 +3,11 @@
 // disconnected.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <string>
 
+#include "tests/e2e/program.h"
 #include "tests/e2e/web_fixture.h"
 
 namespace hedgehog::e2e {
@@ -73,6 +75,28 @@ TEST_F(BackPressure, RequestsSentBeforeAHalfCloseAreAnswered) {
   client.send(requests());
   client.half_close();
   expect_responses([&] { return client.response(); });
+  EXPECT_TRUE(client.closed_by_daemon());
+}
+
+TEST_F(BackPressure, AHalfCloseLeavesASlowReaderItsResponses) {
+  constexpr int kBatch = 40;  // 400 kB: more than the system buffers
+  std::string batch = kDescribe;
+  for (int i = 1; i < kBatch; ++i) batch += "," + kDescribe;
+  RawClient client(daemon_.port(), 4096);
+  client.send("[" + batch + "]\n");
+  client.half_close();
+  ASSERT_TRUE(client.bytes(1).has_value());
+  // Longer than a client that is closed has for the rest.
+  const auto begun = std::chrono::steady_clock::now();
+  ASSERT_TRUE(eventually(
+      [&] { return std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(1500); }));
+  const auto rest = client.line();
+  ASSERT_TRUE(rest.has_value()) << "the responses end in the middle";
+  std::size_t answered = 0;
+  for (std::size_t at = rest->find("\"id\":7"); at != std::string::npos;
+       at = rest->find("\"id\":7", at + 1))
+    ++answered;
+  EXPECT_EQ(answered, kBatch);
   EXPECT_TRUE(client.closed_by_daemon());
 }
 

@@ -119,6 +119,42 @@ TEST_F(Tls, HttpWithoutATokenServesNothingOfTheBall) {
   EXPECT_EQ(web_get(web_.port(), "/recordings/trip-0001.hhr", bearer).status, 404);
 }
 
+TEST_F(Tls, HttpIsServedWhileAllClientsAreConnected) {
+  home_.configure(R"({"http": {"listen": "tls://127.0.0.1:0"}, "connections": {"max": 1}})");
+  daemon_.signal(SIGHUP);
+  ASSERT_TRUE(daemon_.logs("configuration reloaded"));
+  RawClient player(tunnel_.port());
+  ASSERT_EQ(player.call("hello", {{"token", play_}})["role"], "play");
+  RawClient another(tunnel_.port());
+  ASSERT_EQ(another.call("hello", {{"token", play_}})["code"], -32001) << "one is connected";
+  const std::string bearer = "Host: ball-host\r\nAuthorization: Bearer " + play_ + "\r\n";
+  EXPECT_EQ(web_get(web_.port(), "/healthz", bearer).status, 200);
+  EXPECT_THAT(web_get(web_.port(), "/metrics", bearer).body,
+              HasSubstr("hedgehog_connections_rejected_total{device=\"ball\",reason=\"cap\"} 1\n"));
+}
+
+TEST_F(Tls, HttpConnectionsAreBoundedAlsoWithAToken) {
+  constexpr int kMax = 64;
+  const std::string request =
+      "GET /healthz HTTP/1.1\r\nHost: ball-host\r\nAuthorization: Bearer " + play_ + "\r\n\r\n";
+  const auto status_of = [&](RawClient& client) {
+    client.send(request);
+    return client.bytes(12).value_or("");
+  };
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < kMax; ++i) {
+    clients.push_back(std::make_unique<RawClient>(web_.port()));
+    ASSERT_EQ(status_of(*clients.back()), "HTTP/1.1 200") << i;
+  }
+  const auto another = [&] {
+    RawClient client(web_.port());
+    return status_of(client);
+  };
+  EXPECT_EQ(another(), "HTTP/1.1 503");
+  clients.pop_back();
+  EXPECT_TRUE(eventually([&] { return another() == "HTTP/1.1 200"; }));
+}
+
 TEST_F(Tls, SlowAndInvalidHandshakesBlockNoOtherClient) {
   std::vector<std::unique_ptr<RawClient>> clients;
   for (int i = 0; i < 60; ++i) {

@@ -106,6 +106,14 @@ TEST_F(WebSocket, EffectsEndWithTheirSocketHoweverItEnds) {
   {
     WebSocketClient web(daemon_.http_port());
     web.call("effect.hold", hold);
+    web.frame(WebSocketClient::kBinary, "{}");
+    EXPECT_EQ(ended(), "disconnected") << "before the client has answered the daemon's close";
+    EXPECT_EQ(web.next().value_or(WebSocketClient::Frame{}).payload.substr(0, 2), "\x03\xeb")
+        << "1003: it sends what cannot be used";
+  }
+  {
+    WebSocketClient web(daemon_.http_port());
+    web.call("effect.hold", hold);
     web.socket().half_close();
     EXPECT_EQ(ended(), "disconnected");
   }

@@ -98,6 +98,8 @@ void Connection::finish() {
 
 void Connection::on_client_close() {
   session_.bypassed = held_.size();
+  // Not finished yet: its responses are sent as long as it reads them, which `serve_held` decides.
+  session_.held = held_.size() + 1;
   server_.close(session_);
 }
 

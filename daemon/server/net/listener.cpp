@@ -32,8 +32,6 @@ using Tcp = asio::ip::tcp;
 
 /// Kernel send buffer for a slow reader, limited so that telemetry does not age in it.
 constexpr int kSendBufferBytes = 256 * 1024;
-/// Maximum at a time, besides WebSockets; a browser opens up to six.
-constexpr int kMaxHttpClients = 64;
 /// Beyond `connections.max`, so that many TCP clients cannot block an emergency stop: places for
 /// pages, and further ones for the Unix socket.
 constexpr std::size_t kMorePages = 8;
@@ -215,13 +213,10 @@ void Listener::start_session(asio::generic::stream_protocol::socket socket, Sess
 }
 
 void Listener::start_http(Tcp::socket socket) {
-  if (http_clients_ >= kMaxHttpClients) {
-    ++server_->counters().rejected["cap"];
-    return;
-  }
-  ++http_clients_;
-  asio::co_spawn(io_, serve_http(std::move(socket), *http_endpoint_),
-                 [this](const std::exception_ptr&) { --http_clients_; });
+  HttpPlace place = http_endpoint_->place();
+  if (!place) return;
+  asio::co_spawn(io_, serve_http(std::move(socket), *http_endpoint_, std::move(place)),
+                 asio::detached);
 }
 
 HalfOpen::Ticket Listener::half_open(Tcp::socket& socket) {

@@ -83,7 +83,6 @@ class Listener {
   std::optional<HttpEndpoint> http_endpoint_;
   std::unique_ptr<Ring> ring_;
   Server* server_ = nullptr;
-  int http_clients_ = 0;
   bool closing_ = false;
   std::optional<std::chrono::steady_clock::time_point> accept_failed_at_;
   std::optional<boost::asio::local::stream_protocol::acceptor> unix_;

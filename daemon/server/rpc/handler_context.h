@@ -60,8 +60,9 @@ struct HandlerContext {
 
   bool has_previews() const noexcept;        // in progress
   std::size_t connections() const noexcept;  // sessions that are not locked
-  /// See `Server::log_in`; logged and counted.
+  /// See `Server::log_in` and `Server::check_token`; logged and counted.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret);
+  std::optional<protocol::RpcError> check_token(Session& session, std::string_view secret);
 };
 
 /// One request in execution.

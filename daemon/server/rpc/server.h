@@ -45,6 +45,11 @@ class Server {
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret) {
     return context_.log_in(session, secret);
   }
+  /// The same for a single request, which is no client: no limit, and no line in the log if the
+  /// token is valid.
+  std::optional<protocol::RpcError> check_token(Session& session, std::string_view secret) {
+    return context_.check_token(session, secret);
+  }
   const TokenCheck& tokens() const noexcept { return context_.tokens; }
 
   /// A client has connected. `session` and its sink must stay valid until `close`. Closes it at

@@ -28,27 +28,30 @@ std::size_t HandlerContext::connections() const noexcept {
       sessions.begin(), sessions.end(), [](const auto& one) { return !one.second->locked; }));
 }
 
+std::optional<protocol::RpcError> HandlerContext::check_token(Session& session,
+                                                              std::string_view secret) {
+  auto refusal = tokens.log_in(session, secret, device_view.now().tick);
+  if (!refusal) return refusal;
+  ++counters.rejected["token"];
+  // During a back-off, a line for each attempt would fill the log.
+  if (!refusal->retry_after_ms) spdlog::warn("invalid token from {}", origin_text(session));
+  return refusal;
+}
+
 std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
                                                          std::string_view secret) {
   const bool was_locked = session.locked;
   // Counted before this session is one of them.
   const std::size_t others = connections();
-  auto refusal = tokens.log_in(session, secret, device_view.now().tick);
-  if (!refusal && was_locked && others >= max_connections) {
+  if (auto refusal = check_token(session, secret)) return refusal;
+  if (was_locked && others >= max_connections) {
     session.locked = true;
     ++counters.rejected["cap"];
     return protocol::busy("too many clients are connected", kFullMs);
   }
-  const std::string from = origin_text(session);
-  if (!refusal) {
-    spdlog::info("the token {} gives {} the role {}", session.token->name, from,
-                 protocol::name(session.role));
-    return refusal;
-  }
-  ++counters.rejected["token"];
-  // During a back-off, a line for each attempt would fill the log.
-  if (!refusal->retry_after_ms) spdlog::warn("invalid token from {}", from);
-  return refusal;
+  spdlog::info("the token {} gives {} the role {}", session.token->name, origin_text(session),
+               protocol::name(session.role));
+  return std::nullopt;
 }
 
 Outcome handle(Call& call, const protocol::Hello& request) {

@@ -74,7 +74,9 @@ struct Session {
   std::size_t batch_bytes = std::size_t{512} << 10;
   std::size_t open_bytes = 0;    // of responses that wait for others of their batch
   std::int64_t received_ns = 0;  // when the present request was read, CLOCK_MONOTONIC; 0: unknown
-  std::size_t held = 0;          // requests held until the client reads its responses
+  /// Requests held until the client reads its responses; and one more between the end of its
+  /// requests and that of its responses.
+  std::size_t held = 0;
   /// Number of the first of them, sent before an emergency stop or the close: they start nothing.
   std::size_t bypassed = 0;
 };

@@ -117,6 +117,13 @@ asio::awaitable<bool> send(HttpStream& stream, const HttpResponse& answer, bool 
   co_return keep_alive && !ec;
 }
 
+/// For a client that takes at least 32 KiB in a second.
+std::chrono::seconds response_timeout(const HttpResponse& answer) {
+  constexpr std::size_t kBytesPerSecond = 32 * 1024;
+  const std::size_t bytes = answer.body ? answer.body->size() : 0;
+  return kTimeout + std::chrono::seconds(bytes / kBytesPerSecond);
+}
+
 /// Waits for the disk; an unreadable file or a timeout becomes an error.
 asio::awaitable<void> complete(HttpStream& stream, HttpResponse& answer) {
   const auto pending = std::exchange(answer.pending, nullptr);
@@ -144,10 +151,11 @@ std::string address_of(HttpStream& stream) {
   return config::to_string({peer.address().to_string(), peer.port()});
 }
 
-/// Serves requests sequentially. `ticket` is empty without TLS.
-asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
-                            HalfOpen::Ticket given_ticket) {
+/// Serves requests sequentially. Without TLS `ticket` is empty and `place` is not.
+asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket,
+                            HttpPlace given_place) {
   HttpStream stream(std::move(given));
+  HttpPlace place(std::move(given_place));
   HalfOpen::Ticket ticket(std::move(given_ticket));  // released before its socket
   beast::flat_buffer buffer(kMaxHeaderBytes + kMaxBodyBytes);
   for (bool open = true; open;) {
@@ -170,6 +178,7 @@ asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
     value.tls = stream.is_tls();
     if (value.tls) value.address = address_of(stream);
     HttpResponse answer;
+    bool close = false;
     if (websocket::is_upgrade(request) && value.path() == "/ws") {
       auto refusal = endpoint.site.refusal(value);
       auto session = refusal ? std::nullopt : endpoint.admit(stream.socket(), value.tls);
@@ -184,11 +193,18 @@ asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
                          : http_error(503, "too many clients are connected");
     } else {
       answer = endpoint.site.answer(value);
-      if (answer.authorized) ticket.release();
+      if (answer.authorized && !place) place = endpoint.place();
+      if (place) {
+        ticket.release();
+      } else if (answer.authorized) {
+        answer = http_error(503, "too many clients are connected");
+        close = true;
+      }
       if (answer.pending) co_await complete(stream, answer);
     }
-    open =
-        co_await send(stream, answer, request.method() == http::verb::head, request.keep_alive());
+    stream.expires_after(response_timeout(answer));
+    open = co_await send(stream, answer, request.method() == http::verb::head,
+                         request.keep_alive() && !close);
   }
   stream.expires_after(HttpStream::kEndTimeout);
   co_await stream.end();
@@ -196,8 +212,15 @@ asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
 
 }  // namespace
 
-asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& endpoint) {
-  return serve(HttpStream(std::move(socket)), endpoint, HalfOpen::Ticket());
+HttpPlace HttpEndpoint::place() {
+  if (*clients < kMaxClients) return HttpPlace(clients);
+  ++server.counters().rejected["cap"];
+  return {};
+}
+
+asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& endpoint,
+                                 HttpPlace place) {
+  return serve(HttpStream(std::move(socket)), endpoint, HalfOpen::Ticket(), std::move(place));
 }
 
 asio::awaitable<void> serve_https(asio::ip::tcp::socket socket, HttpEndpoint& endpoint,
@@ -208,7 +231,7 @@ asio::awaitable<void> serve_https(asio::ip::tcp::socket socket, HttpEndpoint& en
     ++endpoint.server.counters().rejected["tls"];
     co_return;
   }
-  co_await serve(std::move(stream), endpoint, std::move(ticket));
+  co_await serve(std::move(stream), endpoint, std::move(ticket), HttpPlace());
 }
 
 }  // namespace hedgehog::server

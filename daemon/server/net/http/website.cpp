@@ -55,9 +55,9 @@ HttpResponse Website::answer(const HttpRequest& request) {
     Session session;
     session.transport = "https";
     session.address = request.address;
-    session.locked = true;
-    if (auto no = log_in(session, request)) return *std::move(no);
-    if (session.locked) return unauthorized(token_needed(session));
+    if (!request.token) return unauthorized(token_needed(session));
+    if (const auto error = server_.check_token(session, *request.token))
+      return unauthorized(*error);
     HttpResponse answer = live_response(path);
     answer.authorized = true;
     return answer;

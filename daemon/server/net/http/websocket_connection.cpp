@@ -49,9 +49,9 @@ class WebSocketConnection final : public Connection {
   /// Reads one whole message into `buffer_`; one that is too long is discarded. False: the client
   /// has closed, or must be disconnected.
   asio::awaitable<bool> read_message();
-  asio::awaitable<void> refuse_binary();
 
   Stream stream_;
+  websocket::close_reason close_reason_{websocket::close_code::going_away};
   beast::flat_buffer buffer_;
   bool skipping_ = false;
   // Beast then continues to read by itself; a read that starts in the middle of a message which it
@@ -86,7 +86,7 @@ asio::awaitable<bool> WebSocketConnection::read_message() {
 asio::awaitable<void> WebSocketConnection::read() {
   while (co_await read_message()) {
     if (stream_.got_binary()) {
-      co_await refuse_binary();
+      close_reason_ = {websocket::close_code::unknown_data, "send text frames"};
       co_return;
     }
     if (skipping_) continue;
@@ -96,12 +96,6 @@ asio::awaitable<void> WebSocketConnection::read() {
     if (must_pause() && !co_await pause()) co_return;
     end_turn();
   }
-}
-
-asio::awaitable<void> WebSocketConnection::refuse_binary() {
-  error_code ignored;
-  const websocket::close_reason why(websocket::close_code::unknown_data, "send text frames");
-  co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
 }
 
 asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
@@ -126,8 +120,7 @@ asio::awaitable<void> WebSocketConnection::finish_stream() {
   if (stream_.is_open()) {
     closing_ = true;
     error_code ignored;
-    co_await stream_.async_close(websocket::close_code::going_away,
-                                 asio::redirect_error(asio::use_awaitable, ignored));
+    co_await stream_.async_close(close_reason_, asio::redirect_error(asio::use_awaitable, ignored));
   }
 }
 
