@@ -78,11 +78,14 @@ TEST_F(BackPressure, RequestsSentBeforeAHalfCloseAreAnswered) {
   EXPECT_TRUE(client.closed_by_daemon());
 }
 
-TEST_F(BackPressure, AHalfCloseLeavesASlowReaderItsResponses) {
-  constexpr int kBatch = 40;  // 400 kB: more than the system buffers
+TEST(HalfClose, LeavesASlowReaderItsResponses) {
+  constexpr std::size_t kBatch = 64;  // 640 kB: more than the system buffers
+  const Home home;
+  home.configure(R"({"connections": {"queue_bytes": 16777216}})");
+  const DaemonProcess daemon(home);
   std::string batch = kDescribe;
-  for (int i = 1; i < kBatch; ++i) batch += "," + kDescribe;
-  RawClient client(daemon_.port(), 4096);
+  for (std::size_t i = 1; i < kBatch; ++i) batch += "," + kDescribe;
+  RawClient client(daemon.port(), 4096);
   client.send("[" + batch + "]\n");
   client.half_close();
   ASSERT_TRUE(client.bytes(1).has_value());
