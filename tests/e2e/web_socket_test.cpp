@@ -105,7 +105,7 @@ TEST_F(WebSocket, EffectsEndWithTheirSocketHoweverItEnds) {
   EXPECT_EQ(ended(), "disconnected");
   {
     WebSocketClient web(daemon_.http_port());
-    web.call("effect.hold", hold);
+    web.call("effect.hold", {{"direction", "left"}, {"lease_ms", 5000}});
     web.frame(WebSocketClient::kBinary, "{}");
     EXPECT_EQ(ended(), "disconnected") << "before the client has answered the daemon's close";
     EXPECT_EQ(web.next().value_or(WebSocketClient::Frame{}).payload.substr(0, 2), "\x03\xeb")
