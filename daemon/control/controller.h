@@ -73,8 +73,8 @@ class Controller {
   void apply_board_limits() noexcept;
   void start_observer(double sensor_c) noexcept;
   /// The board was absent, and with it the fan's speed: a ball of another temperature than expected
-  /// starts anew, at the hotter of both. True if it does.
-  bool on_thermistor_back(double sensor_c) noexcept;
+  /// starts anew, at the hotter of both.
+  void on_thermistor_back(double sensor_c) noexcept;
   /// The reason to trip by the estimate, or kNone.
   Reason update_estimate(double dt_s) noexcept;
   model::ThermalMeasurement measurement() const noexcept;

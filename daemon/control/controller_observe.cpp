@@ -54,20 +54,17 @@ void Controller::start_observer(double sensor_c) noexcept {
   observing_ = true;
 }
 
-bool Controller::on_thermistor_back(double sensor_c) noexcept {
+void Controller::on_thermistor_back(double sensor_c) noexcept {
   const auto own = static_cast<std::size_t>(settings_.thermal.sensor_winding);
   const model::ThermalEstimate& expected = observer_.estimate();
   const double difference_k = sensor_c - expected.nodes.winding_c[own];
-  if (std::abs(difference_k) <= max_difference_k(expected.deviation_k[own])) return false;
+  if (std::abs(difference_k) <= max_difference_k(expected.deviation_k[own])) return;
   settings_.start_known = true;
   settings_.start = expected.nodes;
   settings_.start_deviation_k = expected.deviation_k[own];
   settings_.start_ambient_c = expected.ambient_c;
   settings_.start_measured = expected.measured;
-  estimate_ = EstimateCheck();
-  rejected_ = RejectedMeasurements();
   start_observer(sensor_c);
-  return true;
 }
 
 void Controller::on_ball_replaced() noexcept {
@@ -124,12 +121,12 @@ model::ThermalMeasurement Controller::measurement() const noexcept {
 
 Reason Controller::update_estimate(double dt_s) noexcept {
   const model::ThermalMeasurement m = measurement();
-  bool starts = !observing_;
+  const bool starts = !observing_;
   if (starts) {
     if (!watchdog_.sensor().usable()) return Reason::kNone;
     start_observer(sensor_c());
   } else if (was_absent_ && watchdog_.sensor().usable()) {
-    starts = on_thermistor_back(sensor_c());
+    on_thermistor_back(sensor_c());
   }
   was_absent_ = !watchdog_.board().alive() || (was_absent_ && !watchdog_.sensor().usable());
   observer_.step(m, dt_s);
