@@ -39,6 +39,13 @@ void print(const IndicatorReport& report) {
   std::fflush(stdout);
 }
 
+/// Waits for `time`, or until the program is interrupted.
+void pause_for(milliseconds time) {
+  constexpr milliseconds kSlice{100};
+  for (; time.count() > 0 && !interrupted(); time -= kSlice)
+    ::poll(nullptr, 0, static_cast<int>(std::min(time, kSlice).count()));
+}
+
 /// `backoff` begins anew once the effect plays: a daemon that accepts connections and closes them
 /// is not asked more often than one that is not there.
 Outcome<void> indicate(Outcome<Connection>& opened, const IndicatorOptions& options,
@@ -65,11 +72,11 @@ int run(const std::vector<Address>& addresses, const IndicatorOptions& options, 
     std::fputs("hedgehog-orientation: waiting for the daemon\n", stderr);
     auto pause = retry_after(outcome.error());
     do {
-      pause = std::max(pause, backoff.next());
-      ::poll(nullptr, 0, static_cast<int>(pause.count()));  // a signal ends it
+      pause_for(std::max(pause, backoff.next()));
+      if (interrupted()) return kInterrupted;
       connection = Connection::open(addresses);
       pause = connection ? milliseconds(0) : retry_after(connection.error());
-    } while (!connection && may_connect_later(connection.error()) && !interrupted());
+    } while (!connection && may_connect_later(connection.error()));
   }
 }
 

@@ -72,9 +72,6 @@ class Controller {
 
   void apply_board_limits() noexcept;
   void start_observer(double sensor_c) noexcept;
-  /// The board was absent, and with it the fan's speed: a ball of another temperature than expected
-  /// starts anew, at the hotter of both.
-  void on_thermistor_back(double sensor_c) noexcept;
   /// The reason to trip by the estimate, or kNone.
   Reason update_estimate(double dt_s) noexcept;
   model::ThermalMeasurement measurement() const noexcept;
@@ -116,8 +113,7 @@ class Controller {
   EventReporter reporter_;
 
   model::Tick now_ = 0;
-  bool observing_ = false;   // the observer has its initial values
-  bool was_absent_ = false;  // the board, since the thermistor was last read
+  bool observing_ = false;  // the observer has its initial values
   std::uint32_t emergency_generation_ = 0;
   std::uint64_t applied_seq_ = 0;
   device::BoardTelemetry board_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Thermal estimation of the controller, and selection of its measurements.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "daemon/control/controller.h"
@@ -11,14 +10,6 @@ namespace hedgehog::control {
 namespace {
 
 constexpr double kThermistorK = 1.0;
-
-/// Maximum difference between the thermistor's reading and the expected temperature of its winding:
-/// fewer deviations than the filter rejects, so that it rejects no reading from the start.
-double max_difference_k(double deviation_k) noexcept {
-  constexpr double kReadingK = 0.3;
-  constexpr double kDeviations = 4.0;
-  return kDeviations * std::hypot(deviation_k, kReadingK);
-}
 
 }  // namespace
 
@@ -31,6 +22,7 @@ void Controller::start_observer(double sensor_c) noexcept {
   model::ThermalStart start;
   start.nodes.winding_c.fill(sensor_c);
   start.nodes.core_c = sensor_c;
+  start.known = settings_.start_known;
   if (settings_.start_known) {
     // The excess of the thermistor over the saved state is known for no node.
     constexpr double kPerKelvin = 0.5;
@@ -43,28 +35,12 @@ void Controller::start_observer(double sensor_c) noexcept {
     start.deviation_k =
         settings_.start_deviation_k + kPerKelvin * std::max(0.0, raised_k - kThermistorK);
     start.ambient_c = settings_.start_ambient_c;
-    // It has cooled for longer or in a colder room than is known, as while the computer was off.
-    const auto own = static_cast<std::size_t>(settings_.thermal.sensor_winding);
-    start.known = start.nodes.winding_c[own] - sensor_c <= max_difference_k(start.deviation_k);
-    if (start.known) start.measured = settings_.start_measured;
+    start.measured = settings_.start_measured;
   }
   observer_ =
       model::ThermalObserver(settings_.coils, settings_.thermal, start, settings_.uncertainty);
   if (start.at_rest()) watchdog_.start_rested();
   observing_ = true;
-}
-
-void Controller::on_thermistor_back(double sensor_c) noexcept {
-  const auto own = static_cast<std::size_t>(settings_.thermal.sensor_winding);
-  const model::ThermalEstimate& expected = observer_.estimate();
-  const double difference_k = sensor_c - expected.nodes.winding_c[own];
-  if (std::abs(difference_k) <= max_difference_k(expected.deviation_k[own])) return;
-  settings_.start_known = true;
-  settings_.start = expected.nodes;
-  settings_.start_deviation_k = expected.deviation_k[own];
-  settings_.start_ambient_c = expected.ambient_c;
-  settings_.start_measured = expected.measured;
-  start_observer(sensor_c);
 }
 
 void Controller::on_ball_replaced() noexcept {
@@ -125,10 +101,7 @@ Reason Controller::update_estimate(double dt_s) noexcept {
   if (starts) {
     if (!watchdog_.sensor().usable()) return Reason::kNone;
     start_observer(sensor_c());
-  } else if (was_absent_ && watchdog_.sensor().usable()) {
-    on_thermistor_back(sensor_c());
   }
-  was_absent_ = !watchdog_.board().alive() || (was_absent_ && !watchdog_.sensor().usable());
   observer_.step(m, dt_s);
   rejected_.step(observer_);
   // The filter changes at the end of a window only.

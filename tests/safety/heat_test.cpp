@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Overheating: the limiter's law, and the watchdog when the limiter fails.
-#include <algorithm>
 #include <limits>
 
 #include "daemon/device/board_codec.h"
@@ -227,34 +226,6 @@ TEST(Restart, EachNodeStartsAtTheHotterOfSavedAndSensor) {
   EXPECT_NEAR(nodes.winding_c[1], 30.0, 0.2);
   EXPECT_NEAR(nodes.winding_c[2], 40.0, 0.2);
   EXPECT_NEAR(nodes.core_c, 45.0, 0.2);
-}
-
-// As after a night in a cooler room, and after an hour with the computer off: nothing says for how
-// long the ball has cooled.
-TEST(Restart, ABallThatIsColderThanSavedPlaysAsOneThatIsUnknown) {
-  for (const int thermistors : {1, 3}) {
-    for (const auto& [saved_c, now_c] : {std::pair(25.0, 18.0), {25.0, 21.5}, {50.0, 22.0}}) {
-      SCOPED_TRACE(testing::Message() << thermistors << " thermistors, " << saved_c << " C saved, "
-                                      << now_c << " C now");
-      rig::RigOptions options;
-      options.board.front_end.thermistors = thermistors;
-      options.board.start_c = options.board.ambient_c = now_c;
-      options.control.start = {{saved_c, saved_c, saved_c}, saved_c};
-      rig::Rig rig(options);
-      rig.run_until_armed();
-      const auto effect = rig.start(rig::hold({0, 0, 1}, 15.0));
-      rig.run(2);
-      EXPECT_LE(norm(rig.snapshot().limited_a), 5.0) << "until it is measured";
-      double most_a = 0.0;
-      for (int s = 0; s < 60; ++s) {
-        rig.update(effect, rig::hold({0, 0, 1}, 15.0));
-        rig.run(1000);
-        most_a = std::max(most_a, norm(rig.snapshot().limited_a));
-      }
-      EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
-      EXPECT_GT(most_a, 14.0);
-    }
-  }
 }
 
 // The thermistor is on winding 0 and is cold; only the saved state contains the temperature of

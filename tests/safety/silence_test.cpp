@@ -188,36 +188,23 @@ TEST(BoardSilent, AFewLostFramesAreTolerated) {
   EXPECT_NEAR(rig.current_a(), 8.0, 0.1);
 }
 
-// Neither the fan's speed nor the thermistors are known meanwhile: its last readings are no
-// measurements of the time after them.
-TEST(BoardSilent, ABallThatCoolsMeanwhilePlaysOn) {
-  rig::RigOptions options;
-  // The filter learns these again; the references of its checks stay.
-  for (double& ohm : options.board.plant.r25_ohm) ohm *= 1.06;
-  options.board.start_c = 50.0;
-  options.control.start = {{50.0, 50.0, 50.0}, 50.0};
-  for (const double minutes : {2.0, 10.0}) {
-    SCOPED_TRACE(testing::Message() << minutes << " minutes");
+// Its last readings are no measurements of the time after them.
+TEST(BoardSilent, ABallThatCoolsMeanwhileIsExpectedToCool) {
+  for (const int thermistors : {1, 3}) {
+    SCOPED_TRACE(testing::Message() << thermistors << " thermistors");
+    rig::RigOptions options;
+    options.board.front_end.thermistors = thermistors;
+    options.board.start_c = 50.0;
+    options.control.start = {{50.0, 50.0, 50.0}, 50.0};
     rig::Rig rig(options);
     rig.run_until_armed();
-    rig.start(rig::hold({0, 1, 0}, 10.0, 10'000));
-    rig.run_s(9.0);
+    rig.run(1000);
     rig.set_faults(device::kSimSilent);
-    rig.run_s(60.0 * minutes);
-    const double expected_c = rig.controller().thermal().nodes.winding_c[1];
-    EXPECT_LT(expected_c, 50.0 - 0.5 * minutes);
-    EXPECT_GT(expected_c, rig.plant().hottest_winding_c() - 0.5) << "not below the true one";
-    rig.set_faults(0);
-    rig.run(300);
-    EXPECT_EQ(name(rig.controller().reason()), "hot_plug");
-    rig.arm();
-    rig.run(20);
-    rig.start(rig::hold({0, 1, 0}, 5.0, 10'000));
-    rig.run_s(9.0);
-    EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
-    EXPECT_GT(rig.current_a(), 4.9);
-    EXPECT_NEAR(rig.controller().thermal().nodes.winding_c[1], rig.plant().hottest_winding_c(),
-                1.5);
+    rig.run_s(600.0);
+    for (const double expected_c : rig.controller().thermal().nodes.winding_c) {
+      EXPECT_LT(expected_c, 44.0);
+      EXPECT_GT(expected_c, rig.plant().hottest_winding_c()) << "whose fan runs";
+    }
   }
 }
 

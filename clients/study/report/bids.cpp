@@ -119,10 +119,12 @@ std::string readme(const StudyFolder& study) {
          "with\n"
          "included = 1 moved the staircase of a run that was not excluded; the column excluded "
          "says\n"
-         "why one was. Means are those of the rows with included = 1 and in_mean = 1: a run that "
-         "was\n"
-         "not finished, that another one follows, or that is simulated where people took the\n"
-         "experiment with a real ball, has in_mean = 0.\n";
+         "why one was. The means are of the runs with in_mean = 1: not of one that is excluded, "
+         "was "
+         "not\n"
+         "finished, is followed by another one, or is simulated where people took the experiment "
+         "with\n"
+         "a real ball.\n";
 }
 
 /// The experimenters' codes, and the program: the BIDS validator warns about a single author.

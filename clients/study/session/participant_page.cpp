@@ -57,6 +57,15 @@ int connected(const sockaddr_un& address) {
   return server;
 }
 
+/// Also a run that is stopped and accepts no more pages.
+bool is_listening(const sockaddr_un& address) {
+  const int probe = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (probe < 0) return false;
+  const bool listening = ::connect(probe, plain(address), sizeof address) == 0 || errno == EAGAIN;
+  ::close(probe);
+  return listening;
+}
+
 }  // namespace
 
 Result<ParticipantServer> ParticipantServer::listen(const std::filesystem::path& path) {
@@ -64,10 +73,8 @@ Result<ParticipantServer> ParticipantServer::listen(const std::filesystem::path&
   if (!address) return Problem{EX_CANTCREAT, path.string() + ": too long for a socket's path"};
   ParticipantServer server;
   server.path_ = path;
-  if (const int other = connected(*address); other >= 0) {
-    ::close(other);
+  if (is_listening(*address))
     return Problem{EX_CANTCREAT, path.string() + ": another run in this folder has it"};
-  }
   server.listener_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   ::unlink(path.c_str());
   if (server.listener_ < 0 || ::bind(server.listener_, plain(*address), sizeof *address) != 0 ||

@@ -15,8 +15,9 @@ using boost::system::error_code;
 
 namespace {
 
-// A client whose computer has no power or no network any more is gone after 30 s: its place, its
-// claim and its effects are free then.
+// An idle client whose computer has no power or no network any more is gone after 30 s: its place
+// and its claim are free then. While data to it is unacknowledged nothing is probed, and the system
+// gives up after a quarter of an hour; TCP_USER_TIMEOUT would also end clients that are stopped.
 constexpr int kIdleS = 15;
 constexpr int kProbeS = 5;
 constexpr int kProbes = 3;

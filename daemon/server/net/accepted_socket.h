@@ -14,7 +14,7 @@ bool is_reset(const boost::asio::ip::tcp::socket& socket);
 inline bool is_reset(const boost::asio::local::stream_protocol::socket&) { return false; }
 
 /// Transport, and address or peer. A TCP socket sends without delay, and is probed when it is idle
-/// (SO_KEEPALIVE): within 30 s of silence a client that is unreachable is disconnected.
+/// (SO_KEEPALIVE): after 30 s of silence a client that is unreachable is disconnected.
 Session session_of(boost::asio::ip::tcp::socket& socket);
 Session session_of(boost::asio::local::stream_protocol::socket& socket);
 
