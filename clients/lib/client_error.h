@@ -33,9 +33,9 @@ struct ClientError {
   std::optional<protocol::RpcError> refusal{};
 };
 
-/// Whether a connection that failed or ended with `error` may succeed later although nobody changes
-/// anything: not with an invalid address, nor after a refusal, unless the daemon has too many
-/// clients (`busy`) or wants to be asked later about the token.
+/// Whether a later attempt to connect can succeed after `error` without a change of address or
+/// token: not with an invalid address, nor after a refusal, unless the daemon has too many clients
+/// (`busy`) or has not checked the token (`unauthorized` with `retry_after_ms`).
 bool may_connect_later(const ClientError& error) noexcept;
 
 /// `retry_after_ms` of the daemon's error, at most a minute; 0: not given.

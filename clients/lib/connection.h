@@ -37,9 +37,9 @@ class Connection {
   /// answers at A or B". kRefused: the token is unknown.
   static Outcome<Connection> open(const std::vector<Address>& addresses,
                                   Milliseconds timeout = kConnectTimeout);
-  /// The same repeatedly, with the pauses of `Backoff` or those that the daemon asks for, until
-  /// `timeout` has elapsed or the error is one that time does not mend (`may_connect_later`): each
-  /// attempt with a wrong token makes the daemon wait longer before it checks the next.
+  /// The same repeatedly, with the pauses of `Backoff` or longer ones (`retry_after`), until
+  /// `timeout` has elapsed or a later attempt cannot succeed (`may_connect_later`): each attempt
+  /// with a wrong token makes the daemon wait longer before it checks the next.
   static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds timeout);
 
   /// REQUIRES: `address` is not an mdns:// address (see `locate`).

@@ -46,8 +46,8 @@ void pause_for(milliseconds time) {
     ::poll(nullptr, 0, static_cast<int>(std::min(time, kSlice).count()));
 }
 
-/// `backoff` begins anew once the effect plays: a daemon that accepts connections and closes them
-/// is not asked more often than one that is not there.
+/// Resets `backoff` once the effect plays, not once it is connected: a daemon that closes each
+/// connection at once is tried no more often than an absent one.
 Outcome<void> indicate(Outcome<Connection>& opened, const IndicatorOptions& options,
                        Backoff& backoff) {
   if (!opened) return opened.error();

@@ -95,11 +95,7 @@ TEST(HalfClose, LeavesASlowReaderItsResponses) {
       [&] { return std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(1500); }));
   const auto rest = client.line();
   ASSERT_TRUE(rest.has_value()) << "the responses end in the middle";
-  std::size_t answered = 0;
-  for (std::size_t at = rest->find("\"id\":7"); at != std::string::npos;
-       at = rest->find("\"id\":7", at + 1))
-    ++answered;
-  EXPECT_EQ(answered, kBatch);
+  EXPECT_EQ(Json::parse("[" + *rest).size(), kBatch);
   EXPECT_TRUE(client.closed_by_daemon());
 }
 

@@ -22,7 +22,7 @@ int option(tcp::socket& socket, int level, int name) {
   return value;
 }
 
-TEST(AcceptedSocket, NoticesAClientThatIsUnreachableWithinHalfAMinute) {
+TEST(AcceptedSocket, OfAnIdleClientIsProbedForHalfAMinute) {
   asio::io_context io;
   tcp::acceptor acceptor(io, {asio::ip::address_v4::loopback(), 0});
   tcp::socket client(io);

@@ -113,18 +113,12 @@ namespace {
 std::string readme(const StudyFolder& study) {
   return study.path().filename().string() +
          ": perception experiments with a Hedgehog ball, recorded by hedgehog-study.\n\n"
-         "Each sub-*/beh/*_beh.tsv is one run, a row for each presentation block; its columns, "
-         "the\n"
-         "protocol, the ball and the notes of the session are in the JSON file beside it. Rows "
-         "with\n"
-         "included = 1 moved the staircase of a run that was not excluded; the column excluded "
-         "says\n"
-         "why one was. The means are of the runs with in_mean = 1: not of one that is excluded, "
-         "was "
-         "not\n"
-         "finished, is followed by another one, or is simulated where people took the experiment "
-         "with\n"
-         "a real ball.\n";
+         "Each sub-*/beh/*_beh.tsv is one run, a row for each presentation block; its\n"
+         "columns, the protocol, the ball and the notes of the session are in the JSON file\n"
+         "beside it. Rows with included = 1 moved the staircase of a run that was not\n"
+         "excluded; the column excluded says why a run was. The means are those of the runs\n"
+         "with in_mean = 1: finished, not excluded, the last one of their participant, and not\n"
+         "simulated where people took the experiment with a real ball.\n";
 }
 
 /// The experimenters' codes, and the program: the BIDS validator warns about a single author.
