@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # stress.sh [ROUNDS [FIRST]]: runs CI's tests, without linters, coverage and mutants, ROUNDS times (5) under the load of
 # `stress-ng --cpu 4 --io 2`. Each round has one of the three parts (Makefile), as a day of CI has: the first round part FIRST (1), the
-# next one the next. What takes long to build is built first, without that load. A round continues after a failed test and ends with
-# its table (build/stress/<round>.json). A round takes an hour at most on 2 cores, by the processor time of its stages.
+# next one the next. What they need and takes long to build is built first, without that load. A round continues after a failed test
+# and ends with its table (build/stress/<round>.json). It takes an hour at most on 2 cores, by the processor time of its stages.
 # Exit: 0 no round had a failure, 1 one had, 64 usage.
 set -u
 
@@ -13,11 +13,16 @@ cd "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 70
 out=$PWD/build/stress
 mkdir -p "$out"
 
-for preset in dev tsan asan; do
-  make "build/$preset/build.ninja" && cmake --build --preset "$preset" || exit
-done
-cmake --build --preset asan --target fuzzers || exit
-cmake --build --preset dev --target test_usb cpp_conformance cpp_racer cpp_session slow_names json_readers || exit
+part_of() { echo $((($1 + first - 2) % 3 + 1)); } # ROUND
+parts=$(for round in $(seq "$rounds"); do part_of "$round"; done)
+
+build() { # PRESET TARGET...
+  make "build/$1/build.ninja" && cmake --build --preset "$1" --target "${@:2}"
+}
+build dev all || exit
+[[ $parts != *1* ]] || build asan all fuzzers || exit
+[[ $parts != *3* ]] || build tsan all || exit
+build dev test_usb cpp_conformance cpp_racer cpp_session slow_names json_readers || exit
 make shipped dashboard racer-page || exit
 
 stress-ng --cpu 4 --io 2 --temp-path "$out" --quiet &
@@ -27,7 +32,8 @@ trap 'exit 130' INT TERM
 
 failed=0
 for round in $(seq "$rounds"); do
-  export PARTS=$(((first + round - 2) % 3 + 1))
+  PARTS=$(part_of "$round")
+  export PARTS
   export HEDGEHOG_STAGES=$out/$round.tsv
   : >"$HEDGEHOG_STAGES"
   SECONDS=0
