@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace hedgehog::access {
 namespace {
@@ -29,6 +30,8 @@ using X509Object = std::unique_ptr<X509, Free<X509_free>>;
 using Extension = std::unique_ptr<X509_EXTENSION, Free<X509_EXTENSION_free>>;
 
 constexpr long kSecondsPerDay = 86'400;
+/// Of OpenSSL's security level 2, Debian's default: with less no connection could be served.
+constexpr int kMinSecurityBits = 112;
 
 void require(bool good) {
   if (!good) throw std::runtime_error("OpenSSL cannot make a certificate");
@@ -119,6 +122,9 @@ std::string pair_problem(std::string_view certificate_pem, std::string_view key_
   if (!certificate) return "the certificate is not in PEM";
   const Key key(PEM_read_bio_PrivateKey(bio_of(key_pem).get(), nullptr, no_password, nullptr));
   if (!key) return "the key is not in PEM, or has a password";
+  if (const int bits = EVP_PKEY_get_security_bits(key.get()); bits < kMinSecurityBits)
+    return "the key is too weak: " + std::to_string(bits) + " bits of security, " +
+           std::to_string(kMinSecurityBits) + " are needed (RSA of 2048 bits, or P-256)";
   if (X509_check_private_key(certificate.get(), key.get()) != 1)
     return "the key is that of another certificate";
   return {};

@@ -22,7 +22,8 @@ Certificate new_certificate(const std::string& name, int days);
 /// SHA-256 of the first certificate of a PEM text, as pinned by clients, or the error as a clause.
 boost::system::result<base::Sha256, std::string> fingerprint_of(std::string_view certificate_pem);
 
-/// Why TLS cannot use them: no certificate, no key, or a key of another certificate. Empty: usable.
+/// Why TLS cannot use them: no certificate, no key, a weak one, or that of another certificate.
+/// Empty: usable.
 std::string pair_problem(std::string_view certificate_pem, std::string_view key_pem);
 
 }  // namespace hedgehog::access
