@@ -453,7 +453,8 @@ PARTS := $(shell expr $$(date +%s) / 86400 % 3 + 1)
 endif
 export PARTS
 CHECKING := mutations-in-ci coverage
-CHECKING_2 := check-in-ci
+CHECKING_2 := tidy-in-ci
+CHECKING_3 := alone-in-ci
 COMPUTING := shipped instructions faults-ci guards-in-ci firmware-guards-in-ci
 COMPUTING_1 := asan-tests asan-programs fuzz-in-ci
 COMPUTING_3 := tsan-tests tsan-programs
@@ -461,18 +462,18 @@ WAITING_1 := test-sdk
 WAITING_2 := test-usb
 WAITING_3 := 'test-deb test-service PACKED=build/bench'
 BESIDE := test-openrpc test-json-rpc
-BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release
-BESIDE_2 := rehearsal test-shipped test-web
+BESIDE_1 := test-bids test-monitoring test-mqtt test-discovery test-release test-web
+BESIDE_2 := rehearsal test-shipped
 BESIDE_3 := test-install
 PART_FIRST := $(filter 1,$(shell expr $$(date +%s) / 86400 / 3 % 2))
 parts_of = $(if $(filter-out 1 2 3,$(PARTS)),$(error PARTS is $(PARTS): 1, 2, 3 or several of them))$(foreach part,$(PARTS),$($1_$(part)))
 stages_of = $(if $(PART_FIRST),$(call parts_of,$1) $($1),$($1) $(call parts_of,$1))
 PACKAGES := build test firmware json_rpc bench
 PACKAGES_1 := web csharp godot python monitoring mqtt discovery deb
-PACKAGES_2 := vm web
+PACKAGES_2 := vm
 PACKAGES_3 := vm deb discovery
 .PHONY: packages-in-ci computing computing-tests waiting beside waiting-and-beside
-.PHONY: check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
+.PHONY: tidy-in-ci alone-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 .PHONY: part-of-the-day
 part-of-the-day:
 	@echo $(PARTS)
@@ -491,8 +492,10 @@ beside:
 waiting-and-beside:
 	@tests/side_by_side.sh beside waiting
 
-check-in-ci:
-	@$(MAKE) --no-print-directory check CHECKS='tidy-product alone-third'
+tidy-in-ci:
+	@$(MAKE) --no-print-directory check CHECKS=tidy-product
+alone-in-ci:
+	@$(MAKE) --no-print-directory check CHECKS=alone-third
 fuzz-in-ci:
 	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=10
 guards-in-ci firmware-guards-in-ci: %-in-ci:

@@ -112,10 +112,10 @@ TEST(Stages, OfThreeDaysAreAllAndEachLongOneIsOfOneDay) {
   const std::string all = stages_of("1 2 3");
   const std::array days{stages_of("1"), stages_of("2"), stages_of("3")};
   for (const std::string stage :
-       {"asan-tests", "asan-programs", "fuzz-in-ci", "check-in-ci", "tsan-tests", "tsan-programs",
-        "test-sdk", "test-usb", "test-web", "'test-deb test-service PACKED=build/bench'",
-        "test-install", "rehearsal", "test-shipped", "test-bids", "test-monitoring", "test-mqtt",
-        "test-discovery", "test-release"}) {
+       {"asan-tests", "asan-programs", "fuzz-in-ci", "tidy-in-ci", "alone-in-ci", "tsan-tests",
+        "tsan-programs", "test-sdk", "test-usb", "test-web",
+        "'test-deb test-service PACKED=build/bench'", "test-install", "rehearsal", "test-shipped",
+        "test-bids", "test-monitoring", "test-mqtt", "test-discovery", "test-release"}) {
     const auto found = std::count_if(days.begin(), days.end(), [&](const std::string& stages) {
       return stages.find(stage) != std::string::npos;
     });
@@ -168,7 +168,7 @@ TEST(Stages, OfABusyMachineAreAllThatTestTheProduct) {
   for (const char* stage : {" firmware ", "shipped", "faults-ci", " guards-in-ci", "asan-programs",
                             "fuzz-in-ci", "tsan-programs"})
     EXPECT_THAT(tests, HasSubstr(stage));
-  for (const char* stage : {"mutations-in-ci", "coverage", "check-in-ci"})
+  for (const char* stage : {"mutations-in-ci", "coverage", "tidy-in-ci", "alone-in-ci"})
     EXPECT_THAT(tests, Not(HasSubstr(stage)));
 }
 
