@@ -17,9 +17,11 @@ TEST_F(WebSocket, HasTheSameProtocolAsTcp) {
   ASSERT_EQ(web.response().status, 101);
   Json hello = web.call("hello", {{"client", "page"}});
   EXPECT_EQ(hello["role"], "operate");
-  hello.erase("connection");
   Json other = tcp.call("hello", {{"client", "page"}});
-  other.erase("connection");
+  for (Json* result : {&hello, &other}) {
+    result->erase("connection");
+    (*result)["limits"].erase("burst_s");  // by the present temperatures
+  }
   EXPECT_EQ(hello, other);
   for (const std::string line :
        {"{", "", "[]", "{}", R"({"jsonrpc":"2.0","id":1,"method":"no.such"})",
