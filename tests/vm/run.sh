@@ -3,7 +3,7 @@
 # Runs a command where Linux has real USB, HID and udev: as root of an emulated machine with Debian's kernel and this
 # machine's files, in the same folder and environment. Its writes stay in the guest, except those below DIR.
 #   run.sh [-t SECONDS] [-w DIR] [-s] [-v] COMMAND [ARGUMENT...]
-#     -t   timeout in seconds of this machine (default 300)
+#     -t   timeout in seconds of processor time (default 300), which do not pass while a busy machine does something else
 #     -w   the guest may write here
 #     -s   systemd is the guest's first process, which starts basic.target and then the command
 #     -v   the guest's kernel log at the end; also whenever the guest fails
@@ -83,12 +83,16 @@ folder talk "$talk" ""
 [ -z "$writable" ] || folder writable "$writable" ""
 read -ra more <<<"${HEDGEHOG_VM_QEMU:-}"
 
+# A guest that waits takes processor time, too; only one that is stuck in a call of this machine's kernel takes none.
 status=0
-timeout --foreground -k 5 "$limit" "${machine[@]}" "${more[@]}" </dev/null || status=$?
+(
+  ulimit -S -t "$limit"
+  exec timeout --foreground -k 5 "$((3 * limit))" "${machine[@]}" "${more[@]}" </dev/null
+) || status=$?
 if [ -s "$talk/exit" ]; then
   result=$(<"$talk/exit")
-elif [ "$status" = 124 ] || [ "$status" = 137 ]; then
-  log_error "out of time after $limit s"
+elif [[ $status =~ ^(124|137|152)$ ]]; then # 152: SIGXCPU
+  log_error "out of time after $limit s of processor time"
   result=124 verbose=1
 else
   log_error "the guest ended without a result (qemu: $status); its console:"
