@@ -46,7 +46,7 @@ std::string rsa_key_pem(unsigned bits) {
   return {bytes, static_cast<std::size_t>(size)};
 }
 
-// The daemon would start, and refuse its own certificate.
+// OpenSSL would refuse the certificate at the daemon's start.
 TEST(Certificate, OfAKeyThatOpenSslRefusesIsRejected) {
   const std::string certificate = new_certificate("a", 1).certificate_pem;
   EXPECT_THAT(pair_problem(certificate, rsa_key_pem(1024)),

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,10 @@ class Demo : public testing::Test {
   int processes() const {
     int count = 0;
     for (const auto& entry : fs::directory_iterator("/proc")) {
-      // Of a process that ends meanwhile reading fails. NULs separate the words.
-      std::ifstream file(entry.path() / "cmdline", std::ios::binary);
-      std::string words;
-      std::getline(file, words);
-      count += words.find(home_.path("tmp")) != std::string::npos ? 1 : 0;
+      // Reading that of a process that ends meanwhile fails.
+      std::ostringstream words;
+      words << std::ifstream(entry.path() / "cmdline", std::ios::binary).rdbuf();
+      count += words.str().find(home_.path("tmp")) != std::string::npos ? 1 : 0;
     }
     return count;
   }

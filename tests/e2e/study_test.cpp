@@ -162,8 +162,8 @@ TEST_F(Study, AnUnpluggedBallVoidsTheTrialAndPausesUntilItReturns) {
 }
 
 TEST_F(Study, AWarmBallCoolsBeforeATrialWouldBeReduced) {
-  // 10 A at the start level; at 46 °C the skin limit allows less. In a warm room the ball does not
-  // cool before the first trial, however late that is.
+  // 10 A at the start level; at 46 °C the skin limit allows less. In a room of 42 °C it always
+  // does, however late the first trial is.
   home_.configure(R"({"simulator": {"start_temperature_c": 46, "ambient_c": 42}})");
   plan("th", "1", quick_path());
   start_daemon(10);

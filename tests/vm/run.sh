@@ -3,7 +3,7 @@
 # Runs a command where Linux has real USB, HID and udev: as root of an emulated machine with Debian's kernel and this
 # machine's files, in the same folder and environment. Its writes stay in the guest, except those below DIR.
 #   run.sh [-t SECONDS] [-w DIR] [-s] [-v] COMMAND [ARGUMENT...]
-#     -t   timeout in seconds of processor time (default 300), which do not pass while a busy machine does something else
+#     -t   limit in seconds of processor time (default 300); by the clock, five times as many
 #     -w   the guest may write here
 #     -s   systemd is the guest's first process, which starts basic.target and then the command
 #     -v   the guest's kernel log at the end; also whenever the guest fails
@@ -16,7 +16,10 @@ log_error() { echo "run.sh: $*" >&2; }
 limit=300 writable='' verbose=0 systemd=''
 while getopts t:w:sv option; do
   case $option in
-    t) limit=$OPTARG ;;
+    t)
+      limit=$OPTARG
+      [[ $limit =~ ^[1-9][0-9]*$ ]] || { log_error "-t $limit: must be a number of seconds, 1 or more"; exit 64; }
+      ;;
     w) writable=$(realpath "$OPTARG") ;;
     s) systemd="systemd.unit=vm.target fstab=no systemd.show_status=no" ;;
     v) verbose=1 ;;
@@ -83,16 +86,21 @@ folder talk "$talk" ""
 [ -z "$writable" ] || folder writable "$writable" ""
 read -ra more <<<"${HEDGEHOG_VM_QEMU:-}"
 
-# A guest that waits takes processor time, too; only one that is stuck in a call of this machine's kernel takes none.
+# On a busy machine a guest gets less processor time, and a guest that waits takes some. The limit by the clock is for one that is
+# stuck in a call of this machine's kernel.
 status=0
+by_clock=$((5 * limit))
 (
-  ulimit -S -t "$limit"
-  exec timeout --foreground -k 5 "$((3 * limit))" "${machine[@]}" "${more[@]}" </dev/null
+  ulimit -S -c 0 && ulimit -S -t "$limit" || exit 69
+  exec timeout --foreground -k 5 "$by_clock" "${machine[@]}" "${more[@]}" </dev/null
 ) || status=$?
 if [ -s "$talk/exit" ]; then
   result=$(<"$talk/exit")
-elif [[ $status =~ ^(124|137|152)$ ]]; then # 152: SIGXCPU
+elif [ "$status" = 152 ]; then # SIGXCPU
   log_error "out of time after $limit s of processor time"
+  result=124 verbose=1
+elif [ "$status" = 124 ] || [ "$status" = 137 ]; then
+  log_error "out of time after $by_clock s"
   result=124 verbose=1
 else
   log_error "the guest ended without a result (qemu: $status); its console:"

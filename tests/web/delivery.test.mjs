@@ -114,7 +114,7 @@ async function checkColours(name, bright) {
     const { violations } = await page.evaluate(() => window.axe.run());
     return violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id, nodes }) => [id, nodes[0].html]);
   };
-  // While the page is still laid out, as on a busy machine, a chart can be behind a heading.
+  // While the page is still being laid out, as on a busy machine, a chart can be behind a heading.
   let found = await serious();
   for (let again = 0; found.length > 0 && again < 5; ++again) {
     await page.waitForTimeout(1000);

@@ -133,8 +133,10 @@ test("a response that refuses the stop does not confirm it", async () => {
   let refused = 0;
   await open("/", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
     if (stopping) {
-      ++refused;
-      socket.onMessage((text) => socket.send(refusal(text)));
+      socket.onMessage((text) => {
+        refused += text.includes("emergency_stop") ? 1 : 0;
+        socket.send(refusal(text));
+      });
     } else {
       const server = socket.connectToServer();
       socket.onMessage((text) => text.includes("emergency_stop") || server.send(text));
