@@ -7,7 +7,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 FUZZ_SECONDS ?= 20
-# Processor time of a guest; those of test-usb took 700 s together on the slowest machine so far.
+# Limit of a guest's processor time; those of test-usb take 700 s together on a slow machine.
 VM_SECONDS ?= 1800
 export JOBS
 

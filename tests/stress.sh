@@ -3,7 +3,7 @@
 # stress.sh [ROUNDS [FIRST]]: runs CI's tests, without linters, coverage and mutants, ROUNDS times (5) under the load of
 # `stress-ng --cpu 4 --io 2`. Each round has one of the three parts (Makefile), as a day of CI has: the first round part FIRST (1), the
 # next one the next. What the rounds need and takes long to build is built first, without that load. A round continues after a failed test
-# and ends with its table (build/stress/<round>.json). It takes an hour at most on 2 cores, by the processor time of its stages.
+# and ends with its table (build/stress/<round>.json). It takes about an hour on 2 cores.
 # Exit: 0 no round had a failure, 1 one had, 64 usage; else that of a build that failed.
 set -u
 

@@ -86,8 +86,8 @@ folder talk "$talk" ""
 [ -z "$writable" ] || folder writable "$writable" ""
 read -ra more <<<"${HEDGEHOG_VM_QEMU:-}"
 
-# On a busy machine a guest gets less processor time, and a guest that waits takes some. The limit by the clock is for one that is
-# stuck in a call of this machine's kernel.
+# Processor time, which is independent of this machine's load; a guest that only waits takes some, too. The limit by the clock is for
+# one that is stuck in a call of this machine's kernel.
 status=0
 by_clock=$((5 * limit))
 (
