@@ -5,7 +5,6 @@ import { createRequire } from "node:module";
 
 const require = createRequire(`${process.env.HEDGEHOG_NODE_MODULES}/`);
 const { chromium } = require("playwright-core");
-export const kAxe = require.resolve("axe-core/axe.min.js");
 
 const kChromium = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
 

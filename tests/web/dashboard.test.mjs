@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { createServer } from "node:http";
 import { test } from "node:test";
 
-import { kAxe, kDesktop, kPhone } from "./browser.mjs";
+import { seriousFaults } from "./accessibility.mjs";
+import { kDesktop, kPhone } from "./browser.mjs";
 import { pageErrors, daemon, keepAddress, open, page, startDaemon, until } from "./dashboard.mjs";
 import { kTimeout } from "./timeouts.mjs";
 
@@ -168,11 +169,7 @@ test("axe finds no serious fault, on a desk and on a phone", async () => {
   for (const [path, device] of [["/", kDesktop], ["/", kPhone], ["/orientation.html", kPhone], ["/designer.html", kPhone]]) {
     await page?.context().close();
     await open(path, device);
-    // Loaded as text, because the pages' policy allows no foreign scripts.
-    await page.evaluate((await import("node:fs")).readFileSync(kAxe, "utf8"));
-    const { violations } = await page.evaluate(() => window.axe.run());
-    const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-    assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes[0].html]), [], path);
+    assert.deepEqual(await seriousFaults(page), [], path);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${path} is ${wide} px too wide`);
   }

@@ -2,12 +2,12 @@
 // Delivery of the pages to a browser: compressed, cached as long as allowed, and in the colours that the user has
 // chosen.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import http from "node:http";
 import { test } from "node:test";
 import { gunzipSync } from "node:zlib";
 
-import { kAxe, kDesktop } from "./browser.mjs";
+import { seriousFaults } from "./accessibility.mjs";
+import { kDesktop } from "./browser.mjs";
 import { daemon, open, page } from "./dashboard.mjs";
 import { Racer } from "./racer.mjs";
 
@@ -109,8 +109,5 @@ for (const [scheme, bright] of [["light", true], ["dark", false]]) {
 async function checkColours(name, bright) {
   const shown = await brightness();
   assert.ok(bright ? shown > 0.9 : shown < 0.15, `${name}: ${shown}`);
-  await page.evaluate(readFileSync(kAxe, "utf8"));
-  const { violations } = await page.evaluate(() => window.axe.run());
-  const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-  assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes[0].html]), [], name);
+  assert.deepEqual(await seriousFaults(page), [], name);
 }

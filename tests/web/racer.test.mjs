@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The racing game in a browser: events of the race are shown on its page and played on a real daemon's ball.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { kAxe, kDesktop, kPhone, newPage } from "./browser.mjs";
+import { seriousFaults } from "./accessibility.mjs";
+import { kDesktop, kPhone, newPage } from "./browser.mjs";
 import { eventually, kTimeout } from "./timeouts.mjs";
 import { at, browser, pageErrors, daemon, keepAddress, kSmall, open, openBlank, page, racer, startDaemon, startRacer, until } from "./race.mjs";
 
@@ -175,10 +175,7 @@ test("axe finds no serious fault, on a desk and on a phone, and thumbs can drive
   for (const device of [kDesktop, kPhone]) {
     await page?.context().close();
     await open(device);
-    await page.evaluate(readFileSync(kAxe, "utf8"));
-    const { violations } = await page.evaluate(() => window.axe.run());
-    const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-    assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes[0].html]), []);
+    assert.deepEqual(await seriousFaults(page), []);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${wide} px too wide`);
   }
