@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <stdexcept>
 
 #include "tests/folders.h"
@@ -12,7 +11,8 @@ namespace hedgehog::vm {
 namespace {
 
 constexpr const char* kDisplay = ":9";
-constexpr const char* kSocket = "/tmp/.X11-unix/X9";
+// A line of Xvfb's output once it serves: its socket exists before its frame buffer.
+constexpr const char* kServing = "\n9\n";
 constexpr const char* kFrameBuffer = "Xvfb_screen0";
 constexpr std::size_t kPixelBytes = 4;
 constexpr std::size_t kPictureBytes = kPixelBytes * Screen::kWidth * Screen::kHeight;
@@ -31,6 +31,10 @@ bool differs(const Picture& one, const Picture& other, std::size_t at) {
         kVisible)
       return true;
   return false;
+}
+
+bool is_serving(const std::string& output) {
+  return ("\n" + output).find(kServing) != std::string::npos;
 }
 
 /// Share of the sampled pixels for which `is` holds.
@@ -57,10 +61,10 @@ Screen::Screen(const Home& home)
     : home_(home),
       server_({"/usr/bin/Xvfb", kDisplay, "-screen", "0",
                std::to_string(kWidth) + "x" + std::to_string(kHeight) + "x24", "-fbdir",
-               home.path(""), "-nolisten", "tcp"},
+               home.path(""), "-nolisten", "tcp", "-displayfd", "1"},
               home.environment(), home.path("screen")) {
   const bool serves =
-      eventually([&] { return std::filesystem::exists(kSocket) || server_.ended(); }, 50);
+      eventually([&] { return is_serving(home.read("screen")) || server_.ended(); }, 50);
   if (!serves || server_.ended())
     throw std::runtime_error("Xvfb does not start: " + home.read("screen"));
 }
