@@ -19,8 +19,9 @@
 namespace hedgehog::client {
 namespace {
 
-// Samples of a winding with the voltages of each millisecond, every fifth millisecond, rounded to 1
-// mA.
+double to_milliampere(double current_a) { return std::round(1000.0 * current_a) / 1000.0; }
+
+// Samples of a winding with the voltages of each millisecond, every fifth millisecond.
 std::vector<WindingSample> driven(double r, double l, double frequency_hz, double offset_a) {
   std::vector<WindingSample> seen;
   const double decay = std::exp(-r * 1e-3 / l);
@@ -29,8 +30,7 @@ std::vector<WindingSample> driven(double r, double l, double frequency_hz, doubl
     const double t_s = 1e-3 * ms;
     const double v = 0.3 + 0.5 * std::sin(2.0 * std::numbers::pi * frequency_hz * t_s);
     current_a = decay * current_a + (1.0 - decay) / r * v;
-    if (ms >= 200 && ms % 5 == 0)
-      seen.push_back({t_s, std::round(1000.0 * current_a) / 1000.0 + offset_a, v});
+    if (ms >= 200 && ms % 5 == 0) seen.push_back({t_s, current_a + offset_a, v});
   }
   return seen;
 }
@@ -40,10 +40,23 @@ RC_GTEST_PROP(WindingFit, FindsResistanceAndInductance, ()) {
   const double l = *rc::gen::inRange(30, 400) / 1e5;
   // a current that decays within the millisecond gives no information about L
   RC_PRE(std::exp(-r * 1e-3 / l) > 0.1);
-  const auto found = sine_impedance(driven(r, l, 47.0, 0.05), 47.0);
+  auto samples = driven(r, l, 47.0, 0.05);
+  for (WindingSample& one : samples) one.current_a = to_milliampere(one.current_a);
+  const auto found = sine_impedance(samples, 47.0);
   RC_ASSERT(found.has_value());
   RC_ASSERT(std::abs(found->resistance_ohm / r - 1.0) < 0.02);
   RC_ASSERT(std::abs(found->inductance_h / l - 1.0) < 0.02);
+}
+
+TEST(WindingFit, AFewSamplesAtIrregularTimesAreFittedExactly) {
+  const auto all = driven(0.9, 0.001, 47.0, 0.0);
+  std::vector<WindingSample> few;
+  for (std::size_t i = 0, gap = 1; i < all.size(); i += gap++) few.push_back(all[i]);
+  ASSERT_LT(few.size(), kMinSamples + 3);
+  const auto found = sine_impedance(few, 47.0);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->resistance_ohm, 0.9, 1e-9);
+  EXPECT_NEAR(found->inductance_h, 0.001, 1e-12);
 }
 
 TEST(WindingFit, AConstantErrorOfTheSensorCancels) {

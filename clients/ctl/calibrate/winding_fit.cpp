@@ -41,7 +41,7 @@ double mean_variance(const std::vector<WindingSample>& samples) {
 /// Least-squares fit of x(t) = c + Re(P exp(i w t)).
 std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double omega,
                              double WindingSample::*what) {
-  model::Mat3 normal{};
+  model::Mat3 normal{{{}, {}, {}}};
   model::Vec3 right{};
   for (const WindingSample& one : samples) {
     const double angle = omega * (one.t_s - samples.front().t_s);
