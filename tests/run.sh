@@ -65,7 +65,7 @@ record() { # NAME
 }
 
 tests() {
-  # Of a test's processor time, which a busy machine does not change. Simulated hours take ten times as long under a sanitizer.
+  # Processor time of one process: a busy machine does not change it. Under a sanitizer tests take several times as long.
   local limit_s=240
   case $preset in asan | tsan) limit_s=900 ;; esac
   ulimit -S -t "$limit_s"

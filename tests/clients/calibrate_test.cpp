@@ -19,8 +19,6 @@
 namespace hedgehog::client {
 namespace {
 
-double to_milliampere(double current_a) { return std::round(1000.0 * current_a) / 1000.0; }
-
 // Samples of a winding with the voltages of each millisecond, every fifth millisecond.
 std::vector<WindingSample> driven(double r, double l, double frequency_hz, double offset_a) {
   std::vector<WindingSample> seen;
@@ -41,7 +39,7 @@ RC_GTEST_PROP(WindingFit, FindsResistanceAndInductance, ()) {
   // a current that decays within the millisecond gives no information about L
   RC_PRE(std::exp(-r * 1e-3 / l) > 0.1);
   auto samples = driven(r, l, 47.0, 0.05);
-  for (WindingSample& one : samples) one.current_a = to_milliampere(one.current_a);
+  for (WindingSample& one : samples) one.current_a = std::round(1000.0 * one.current_a) / 1000.0;
   const auto found = sine_impedance(samples, 47.0);
   RC_ASSERT(found.has_value());
   RC_ASSERT(std::abs(found->resistance_ohm / r - 1.0) < 0.02);

@@ -11,7 +11,7 @@ namespace hedgehog::vm {
 namespace {
 
 constexpr const char* kDisplay = ":9";
-// A line of Xvfb's output once it serves: its socket exists before its frame buffer.
+// The line that Xvfb writes once it serves; its socket exists before its frame buffer.
 constexpr const char* kServing = "\n9\n";
 constexpr const char* kFrameBuffer = "Xvfb_screen0";
 constexpr std::size_t kPixelBytes = 4;

@@ -41,6 +41,7 @@ double mean_variance(const std::vector<WindingSample>& samples) {
 /// Least-squares fit of x(t) = c + Re(P exp(i w t)).
 std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double omega,
                              double WindingSample::*what) {
+  // By default a `Mat3` is the unit matrix.
   model::Mat3 normal{{{}, {}, {}}};
   model::Vec3 right{};
   for (const WindingSample& one : samples) {
