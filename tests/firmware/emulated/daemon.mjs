@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hedgehogd on the emulated board: the real program, in a folder where hedgehog-simboard is simboard.mjs. They run in lock-step, so a busy
 // machine slows both and delays neither.
+import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { copyFileSync, existsSync, linkSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
@@ -62,6 +63,8 @@ export class DaemonOnBoard {
     daemon.child = spawn(place(join(programs, 'daemon', 'hedgehogd'), daemon.folder),
       ['--simulate', '--speed', String(speed), '--listen', '127.0.0.1:0'],
       { env: daemon.environment, stdio: ['ignore', 'pipe', 'pipe'] });
+    // Of the board too: it inherits the standard error, and writes to the trace until it ends.
+    daemon.ended = once(daemon.child, 'close');
     daemon.log = '';
     daemon.child.stderr.on('data', (bytes) => { daemon.log += bytes; });
     for await (const line of createInterface({ input: daemon.child.stdout })) {
@@ -113,21 +116,18 @@ export class DaemonOnBoard {
     });
   }
 
-  /** Stops the daemon and waits until the board has made itself safe; returns its whole trace. */
+  /** Stops the daemon and waits until the board, which then makes itself safe, has ended too; returns its whole trace. */
   async stop(signal = 'SIGTERM') {
-    if (this.child.exitCode === null && this.child.signalCode === null) {
-      const ended = once(this.child, 'exit');
-      this.child.kill(signal);
-      await ended;
-    }
-    await eventually('the board ends', () => this.trace().at(-1)?.event === 'exit');
+    this.child.kill(signal);
+    await this.ended;
+    assert.equal(this.trace().at(-1)?.event, 'exit');
     return this.trace();
   }
 
-  close() {
+  async close() {
     this.ball?.close();
-    this.child?.kill('SIGKILL');
+    this.child.kill('SIGKILL');
+    await this.ended;
     rmSync(this.folder, { recursive: true, force: true });
   }
 }
-

@@ -18,7 +18,7 @@ const withDaemon = (body, options) => async () => {
     error.message += `\n${daemon.log}\n${daemon.trace().map((line) => JSON.stringify(line)).join('\n')}`;
     throw error;
   } finally {
-    daemon.close();
+    await daemon.close();
   }
 };
 

@@ -69,6 +69,6 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
     process.exitCode = isFlawless(figures) ? 0 : 1;
   } finally {
     await daemon.stop();
-    daemon.close();
+    await daemon.close();
   }
 }

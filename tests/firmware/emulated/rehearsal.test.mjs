@@ -48,7 +48,7 @@ async function withDaemon(daemon, body) {
     throw error;
   } finally {
     await daemon.stop();
-    daemon.close();
+    await daemon.close();
   }
 }
 
