@@ -15,6 +15,7 @@
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -151,7 +152,8 @@ TEST_F(Bringup, APersonIsPromptedUntilTheAnswersAreConsistent) {
   TerminalProgram screen(home_, hedgehogctl(), words(), where());
   RawClient hand(daemon_->port());
   hand.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});
-  ASSERT_TRUE(screen.shows("Enter when you hold it: "));
+  // It measures the windings before.
+  ASSERT_TRUE(screen.shows("Enter when you hold it: ", kLongTimeout));
   screen.type("\r");
   const auto answer = [&](const std::string& text, const std::string& then) {
     screen.type(text + "\r");

@@ -13,8 +13,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/e2e/timeout.h"
-
 namespace hedgehog::e2e {
 namespace {
 
@@ -139,11 +137,13 @@ void TerminalProgram::read_more() {
   }
 }
 
-bool TerminalProgram::shows(const std::string& text) {
-  return eventually([&] {
-    read_more();
-    return shown_.find(text) != std::string::npos;
-  });
+bool TerminalProgram::shows(const std::string& text, std::chrono::seconds timeout) {
+  return wait_until(
+      [&] {
+        read_more();
+        return shown_.find(text) != std::string::npos;
+      },
+      timeout);
 }
 
 bool TerminalProgram::is_restored() const {

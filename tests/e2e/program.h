@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/timeout.h"
 
 namespace hedgehog::e2e {
 
@@ -58,7 +59,7 @@ class TerminalProgram {
   void resize(int columns, int rows) const;
   void signal(int number) const { ::kill(pid_, number); }
   /// Waits until the output since the start contains `text`.
-  bool shows(const std::string& text);
+  bool shows(const std::string& text, std::chrono::seconds timeout = kTimeout);
   const std::string& shown() const noexcept { return shown_; }
   /// The terminal echoes input and delivers it line by line, as a shell leaves it.
   bool is_restored() const;
