@@ -152,8 +152,8 @@ TEST_F(Bringup, APersonIsPromptedUntilTheAnswersAreConsistent) {
   TerminalProgram screen(home_, hedgehogctl(), words(), where());
   RawClient hand(daemon_->port());
   hand.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});
-  // It measures the windings before.
-  ASSERT_TRUE(screen.shows("Enter when you hold it: ", kLongTimeout));
+  // After the measurement of the windings.
+  ASSERT_TRUE(screen.shows("Enter when you hold it: ", kLongTimeout)) << screen.shown();
   screen.type("\r");
   const auto answer = [&](const std::string& text, const std::string& then) {
     screen.type(text + "\r");

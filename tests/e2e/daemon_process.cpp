@@ -100,11 +100,14 @@ DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& m
   const bool listens = wait_until([&] {
     out = home.read("out");
     const auto at = out.find(local);
-    return (at != std::string::npos && out.find('\n', at) != std::string::npos) ||
-           ::waitpid(pid_, nullptr, WNOHANG) == pid_;
+    if (at != std::string::npos && out.find('\n', at) != std::string::npos) return true;
+    if (::waitpid(pid_, nullptr, WNOHANG) == pid_) pid_ = -1;
+    return pid_ < 0;
   });
-  if (!listens || out.find(tcp) == std::string::npos)
+  if (!listens || out.find(tcp) == std::string::npos) {
+    end();
     throw std::runtime_error("hedgehogd does not start:\n" + log());
+  }
   port_ = std::stoi(out.substr(out.find(tcp) + tcp.size()));
   const std::string http = "listening on http://127.0.0.1:";
   if (out.find(http) != std::string::npos)
@@ -113,7 +116,9 @@ DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& m
   socket_ = out.substr(begin, out.find('\n', begin) - begin);
 }
 
-DaemonProcess::~DaemonProcess() {
+DaemonProcess::~DaemonProcess() { end(); }
+
+void DaemonProcess::end() const {
   if (pid_ > 0) {
     ::kill(pid_, SIGKILL);
     ::waitpid(pid_, nullptr, 0);

@@ -72,6 +72,8 @@ class DaemonProcess {
   bool logs(const std::string& text) const;
 
  private:
+  void end() const;
+
   const Home& home_;
   pid_t pid_ = -1;
   int port_ = 0;

@@ -127,23 +127,27 @@ void TerminalProgram::resize(int columns, int rows) const {
   if (::ioctl(terminal_, TIOCSWINSZ, &size) != 0) throw std::runtime_error("no such size");
 }
 
-void TerminalProgram::read_more() {
+bool TerminalProgram::read_more() {
   pollfd waiting{terminal_, POLLIN, 0};
   while (::poll(&waiting, 1, 0) == 1) {
     char bytes[4096];
     const ssize_t count = ::read(terminal_, bytes, sizeof bytes);
-    if (count <= 0) return;
+    if (count <= 0) return false;
     shown_.append(bytes, static_cast<std::size_t>(count));
   }
+  return true;
 }
 
 bool TerminalProgram::shows(const std::string& text, std::chrono::seconds timeout) {
-  return wait_until(
+  bool found = false;
+  wait_until(
       [&] {
-        read_more();
-        return shown_.find(text) != std::string::npos;
+        const bool is_open = read_more();
+        found = shown_.find(text) != std::string::npos;
+        return found || !is_open;
       },
       timeout);
+  return found;
 }
 
 bool TerminalProgram::is_restored() const {

@@ -58,7 +58,8 @@ class TerminalProgram {
   /// As when a person drags the window's corner.
   void resize(int columns, int rows) const;
   void signal(int number) const { ::kill(pid_, number); }
-  /// Waits until the output since the start contains `text`.
+  /// Waits until the output since the start contains `text`; false at the program's end or after
+  /// `timeout` without it.
   bool shows(const std::string& text, std::chrono::seconds timeout = kTimeout);
   const std::string& shown() const noexcept { return shown_; }
   /// The terminal echoes input and delivers it line by line, as a shell leaves it.
@@ -67,7 +68,8 @@ class TerminalProgram {
   int wait();
 
  private:
-  void read_more();
+  /// False when no process has the terminal any more.
+  bool read_more();
 
   std::string shown_;
   int terminal_ = -1;

@@ -8,7 +8,7 @@
 namespace hedgehog::e2e {
 
 inline constexpr std::chrono::seconds kTimeout{60};
-/// For a whole program, or for one message among others that keep arriving.
+/// For a whole program or a long step of one, or for one message among others that keep arriving.
 inline constexpr std::chrono::seconds kLongTimeout{600};
 
 /// Polls `done` every 5 ms; false when it was not true within `timeout`.

@@ -10,7 +10,10 @@ work=$(mktemp -d)
 daemon=
 # shellcheck disable=SC2317  # called by the trap
 clean_up() {
-  [ -z "$daemon" ] || kill "$daemon" 2>/dev/null || true
+  if [ -n "$daemon" ]; then
+    kill "$daemon" 2>/dev/null || true
+    wait "$daemon" || true
+  fi
   rm -rf "$work"
 }
 trap clean_up EXIT

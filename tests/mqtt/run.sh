@@ -10,7 +10,10 @@ work=$(mktemp -d)
 broker=
 # shellcheck disable=SC2317  # called by the trap
 clean_up() {
-  [ -z "$broker" ] || kill "$broker" 2>/dev/null || true
+  if [ -n "$broker" ]; then
+    kill "$broker" 2>/dev/null || true
+    wait "$broker" || true
+  fi
   rm -rf "$work"
 }
 trap clean_up EXIT

@@ -3,7 +3,6 @@
 // machine slows both and delays neither.
 import assert from 'node:assert/strict';
 import { execFile, spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { copyFileSync, existsSync, linkSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
@@ -64,17 +63,26 @@ export class DaemonOnBoard {
       ['--simulate', '--speed', String(speed), '--listen', '127.0.0.1:0'],
       { env: daemon.environment, stdio: ['ignore', 'pipe', 'pipe'] });
     // Of the board too: it inherits the standard error, and writes to the trace until it ends.
-    daemon.ended = once(daemon.child, 'close');
+    daemon.child.on('close', () => { daemon.hasEnded = true; });
     daemon.log = '';
     daemon.child.stderr.on('data', (bytes) => { daemon.log += bytes; });
-    for await (const line of createInterface({ input: daemon.child.stdout })) {
-      daemon.address = /^listening on (127\.0\.0\.1:\d+)$/.exec(line)?.[1];
-      if (daemon.address) break;
+    try {
+      await daemon.connect();
+    } catch (error) {
+      await daemon.close();
+      throw error;
     }
-    if (!daemon.address) throw new Error(`hedgehogd ended: ${daemon.log}`);
-    daemon.environment.HEDGEHOG_ADDRESS = daemon.address;
-    daemon.ball = await Ball.connect({ address: daemon.address, timeoutMs: kTimeoutMs });
     return daemon;
+  }
+
+  async connect() {
+    for await (const line of createInterface({ input: this.child.stdout })) {
+      this.address = /^listening on (127\.0\.0\.1:\d+)$/.exec(line)?.[1];
+      if (this.address) break;
+    }
+    if (!this.address) throw new Error(`hedgehogd ended: ${this.log}`);
+    this.environment.HEDGEHOG_ADDRESS = this.address;
+    this.ball = await Ball.connect({ address: this.address, timeoutMs: kTimeoutMs });
   }
 
   /** The board's events so far (simboard.mjs). */
@@ -119,15 +127,15 @@ export class DaemonOnBoard {
   /** Stops the daemon and waits until the board, which then makes itself safe, has ended too; returns its whole trace. */
   async stop(signal = 'SIGTERM') {
     this.child.kill(signal);
-    await this.ended;
-    assert.equal(this.trace().at(-1)?.event, 'exit');
+    await eventually('daemon and board end', () => this.hasEnded);
+    assert.equal(this.trace().at(-1)?.event, 'exit', this.log);
     return this.trace();
   }
 
   async close() {
     this.ball?.close();
     this.child.kill('SIGKILL');
-    await this.ended;
+    await eventually('daemon and board end', () => this.hasEnded);
     rmSync(this.folder, { recursive: true, force: true });
   }
 }

@@ -67,8 +67,8 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
     const figures = await play(daemon, minutes, { seed, report: print });
     print(figures);
     process.exitCode = isFlawless(figures) ? 0 : 1;
-  } finally {
     await daemon.stop();
+  } finally {
     await daemon.close();
   }
 }

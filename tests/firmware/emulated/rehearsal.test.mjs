@@ -43,11 +43,11 @@ async function withDaemon(daemon, body) {
   try {
     await body(daemon, daemon.ball);
     assert.ok(!daemon.trace().some((line) => line.event === 'reset'));
+    await daemon.stop();
   } catch (error) {
     error.message += `\n${daemon.log}`;
     throw error;
   } finally {
-    await daemon.stop();
     await daemon.close();
   }
 }
