@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include "clients/ctl/calibrate/calibration.h"
@@ -76,6 +77,28 @@ TEST(WindingFit, TheErrorFollowsTheScatterOfTheCurrents) {
   EXPECT_NEAR(steady_resistance_error(forth, back), 0.04 / 2.0 * std::sqrt(2.0 / 100.0), 5e-5);
 }
 
+TEST(WindingFit, TheErrorOfTheInductanceIsHowFarItScatters) {
+  constexpr int kMeasurements = 400;
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise_a(0.0, 0.02);
+  std::normal_distribution<double> noise_v(0.0, 0.01);
+  double squares = 0.0;
+  double expected = 0.0;
+  for (int i = 0; i < kMeasurements; ++i) {
+    auto samples = driven(0.9, 0.001, 47.0, 0.0);
+    samples.resize(40);
+    for (WindingSample& one : samples) {
+      one.current_a += noise_a(random);
+      one.voltage_v += noise_v(random);
+    }
+    squares += std::pow(sine_impedance(samples, 47.0)->inductance_h / 0.001 - 1.0, 2.0);
+    expected += std::pow(inductance_error(samples, 47.0), 2.0);
+  }
+  EXPECT_NEAR(std::sqrt(squares / expected), 1.0, 0.15);
+  EXPECT_LT(inductance_error(driven(0.9, 0.001, 47.0, 0.0), 47.0), 1e-9);
+  EXPECT_TRUE(std::isinf(inductance_error({}, 47.0)));
+}
+
 TEST(WindingFit, NoiseAndTooFewSamplesAreRejected) {
   EXPECT_FALSE(sine_impedance({}, 47.0));
   std::vector<WindingSample> flat(100, {0.0, 1.0, 0.45});
@@ -129,8 +152,8 @@ TEST(WindingProblem, IsNamedWithARemedy) {
   EXPECT_THAT(winding_problem(0, kForth, kBack, 0.04), HasSubstr("0.04 ohm"));
 }
 
-/// A ball whose winding x carries 0.3 A from 0.1 s after the request until its lease ends. Every
-/// request takes 0.15 s of device time.
+/// A ball whose winding x carries 0.3 A, or a sine up to that, from 0.1 s after the request until
+/// its lease or duration ends. Every request takes 0.15 s of device time.
 struct FakeBall {
   std::int64_t every_ms = 5;
   double noise_a = 0.0;  // added and subtracted in turn
@@ -140,6 +163,7 @@ struct FakeBall {
 
   void operator()(FakePeer& peer) const {
     std::int64_t now_ms = 1000;
+    double frequency_hz = 0.0;
     std::int64_t flows_from_ms = 1'000'000;
     std::int64_t flows_until_ms = flows_from_ms;
     bool subscribed = false;
@@ -153,10 +177,15 @@ struct FakeBall {
         status.supply_v = 12.0;
         const double added_a = now_ms / every_ms % 2 == 0 ? noise_a : -noise_a;
         const bool flows = now_ms >= flows_from_ms && now_ms < flows_until_ms;
-        status.current_a.x = flows ? current_a + added_a : 0.0;
+        const double phase =
+            2.0 * std::numbers::pi * frequency_hz * 1e-3 * static_cast<double>(now_ms);
+        const double share = frequency_hz > 0.0 ? 0.5 + 0.5 * std::sin(phase) : 1.0;
+        status.current_a.x = flows ? share * current_a + added_a : 0.0;
+        status.duty.x = flows ? 0.02 + 0.02 * std::sin(phase + 0.5) : 0.0;
         protocol::StatusKeys keys;
         for (const auto key : {protocol::StatusKey::kState, protocol::StatusKey::kReason,
-                               protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA})
+                               protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA,
+                               protocol::StatusKey::kDuty})
           keys.add(key);
         peer.send_line(protocol::encode_telemetry({keys, status}));
       }
@@ -170,9 +199,13 @@ struct FakeBall {
         peer.send_line(protocol::encode_result(id, protocol::PingResult{1'000'000 * now_ms}));
       } else if (method == "device.claim") {
         peer.send_line(protocol::encode_result(id, protocol::ClaimResult{}));
-      } else if (method == "effect.hold") {
+      } else if (method == "effect.hold" || method == "effect.vibrate") {
+        const auto& params = request["params"];
+        frequency_hz = params.value("frequency_hz", 0.0);
         flows_from_ms = now_ms + 100;
-        flows_until_ms = flows_from_ms + request["params"]["lease_ms"].get<std::int64_t>();
+        flows_until_ms =
+            flows_from_ms +
+            params[method == "effect.hold" ? "lease_ms" : "duration_ms"].get<std::int64_t>();
         peer.send_line(protocol::encode_result(id, protocol::Admission{}));
         if (subscribed) send_until(now_ms + 150 * every_ms);
       } else if (method == "telemetry.subscribe") {
@@ -233,6 +266,19 @@ TEST(WindingBench, ANoisyCurrentIsMeasuredForAsLongAsItFlows) {
   ASSERT_TRUE(held.record) << held.record.error().message;
   EXPECT_NEAR(held.record->mean_a[0], 0.3, 0.01) << "none after its lease";
   EXPECT_THAT(held.record->samples.size(), testing::AllOf(testing::Gt(80u), testing::Lt(100u)));
+}
+
+TEST(WindingBench, ASineIsMeasuredUntilTheInductanceIsAccurate) {
+  constexpr double kMaxError = 0.02;
+  FakeDaemon daemon(FakeBall{.every_ms = 20, .noise_a = 0.008});
+  Session session{Connection::open({daemon.address()}).value(), false, {}};
+  const auto record = WindingBench(session).sine(0, 0.3, 47.0, {0.2, kMaxError});
+  ASSERT_TRUE(record) << record.error().message;
+  auto samples = record->samples;
+  EXPECT_GT(samples.size(), kMinSamples);
+  EXPECT_LE(inductance_error(samples, 47.0), kMaxError);
+  samples.pop_back();
+  EXPECT_GT(inductance_error(samples, 47.0), kMaxError) << "and no longer";
 }
 
 TEST(WindingBench, TooLittleTelemetryIsNoOpenWinding) {

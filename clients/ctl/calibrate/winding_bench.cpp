@@ -14,7 +14,6 @@ using protocol::EffectParams;
 constexpr double kTelemetryHz = 200.0;
 constexpr double kWaitingHz = 5.0;
 constexpr double kSettleS = 0.2;
-constexpr double kSineS = 1.2;
 /// Maximum duration of a measured current; it is stopped earlier.
 constexpr std::int64_t kFlowsMs = 10'000;
 constexpr std::int64_t kPushMs = 700;
@@ -73,7 +72,8 @@ Outcome<void> WindingBench::stop() {
   }
 }
 
-Outcome<WindingRecord> WindingBench::record(int coil, Extent extent, double flows_until_s) {
+Outcome<WindingRecord> WindingBench::record(int coil, Extent extent, const ErrorOf& error_of,
+                                            double flows_until_s) {
   WindingRecord record;
   std::optional<double> began;
   for (;;) {
@@ -84,7 +84,7 @@ Outcome<WindingRecord> WindingBench::record(int coil, Extent extent, double flow
     if (t_s < *began + kSettleS) continue;
     const bool enough = record.samples.size() >= kMinSamples;
     if (enough && t_s > *began + kSettleS + extent.take_s &&
-        !(mean_error(record.samples) > extent.max_error))
+        !(error_of(record.samples) > extent.max_error))
       break;
     if (t_s > flows_until_s) {
       if (enough) break;
@@ -128,17 +128,21 @@ Outcome<WindingRecord> WindingBench::hold(int coil, double sign, double current_
   params.lease_ms = kFlowsMs;
   const auto flows_until_s = start(EffectMethod::kHold, params);
   if (!flows_until_s) return flows_until_s.error();
-  return record(coil, extent, *flows_until_s);
+  return record(coil, extent, mean_error, *flows_until_s);
 }
 
-Outcome<WindingRecord> WindingBench::sine(int coil, double current_a, double frequency_hz) {
+Outcome<WindingRecord> WindingBench::sine(int coil, double current_a, double frequency_hz,
+                                          Extent extent) {
   EffectParams params = along(coil, 1.0, current_a);
   params.waveform = model::Waveform::kSine;
   params.frequency_hz = frequency_hz;
   params.duration_ms = kFlowsMs;
   const auto flows_until_s = start(EffectMethod::kVibrate, params);
   if (!flows_until_s) return flows_until_s.error();
-  return record(coil, {kSineS}, *flows_until_s);
+  const auto error_of = [frequency_hz](const std::vector<WindingSample>& samples) {
+    return inductance_error(samples, frequency_hz);
+  };
+  return record(coil, extent, error_of, *flows_until_s);
 }
 
 Outcome<void> WindingBench::push(int coil, double current_a) {

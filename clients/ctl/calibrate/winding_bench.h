@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -36,7 +37,8 @@ class WindingBench {
   /// Waits until `t_s` of device time without current.
   Outcome<void> wait_until(double t_s);
   /// How long a current is measured once it has settled: for `take_s`, and beyond it until the
-  /// relative error of its mean is at most `max_error`, as long as the current flows.
+  /// relative error of what is wanted of it, its mean or the inductance, is at most `max_error`, as
+  /// long as the current flows.
   struct Extent {
     double take_s = 0.0;
     double max_error = std::numeric_limits<double>::infinity();
@@ -44,15 +46,18 @@ class WindingBench {
   /// A constant current, `sign` * `current_a`.
   Outcome<WindingRecord> hold(int coil, double sign, double current_a, Extent extent);
   /// A sine between 0 and `current_a`.
-  Outcome<WindingRecord> sine(int coil, double current_a, double frequency_hz);
+  Outcome<WindingRecord> sine(int coil, double current_a, double frequency_hz, Extent extent);
   /// A push for a person to feel; replaces the previous one.
   Outcome<void> push(int coil, double current_a);
   /// Reason of a watchdog trip while a winding was measured.
   const std::optional<std::string>& tripped() const noexcept { return tripped_; }
 
  private:
+  /// Relative error of what is wanted of these samples.
+  using ErrorOf = std::function<double(const std::vector<WindingSample>&)>;
   /// An error if too few samples were received until `flows_until_s`, of device time.
-  Outcome<WindingRecord> record(int coil, Extent extent, double flows_until_s);
+  Outcome<WindingRecord> record(int coil, Extent extent, const ErrorOf& error_of,
+                                double flows_until_s);
   Outcome<void> play(model::EffectMethod method, const protocol::EffectParams& params);
   /// Starts the effect and the telemetry for `record`; returns until when the current flows at
   /// least, s of device time.

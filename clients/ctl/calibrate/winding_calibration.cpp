@@ -23,6 +23,9 @@ namespace hedgehog::client {
 namespace {
 
 constexpr double kFrequencyHz = 47.0;
+constexpr double kSineS = 1.2;
+/// Of the inductance; what the file has is the mean of three windings.
+constexpr double kMaxInductanceError = 0.01;
 /// Current of the first check of an unknown winding, A: too small for the watchdog to detect a
 /// fault in a winding with a third of its resistance, reversed or swapped.
 constexpr double kCheckA = 0.3;
@@ -181,7 +184,7 @@ class Windings {
     const auto seen = steady(coil, current_a, {kTakeS, kMaxError});
     if (!seen) return give_up(seen.error());
     if (const auto problem = problem_of(coil, *seen); !problem.empty()) return print_error(problem);
-    const auto sine = bench_.sine(coil, current_a, kFrequencyHz);
+    const auto sine = bench_.sine(coil, current_a, kFrequencyHz, {kSineS, kMaxInductanceError});
     if (!sine) return give_up(sine.error());
     const auto impedance = sine_impedance(sine->samples, kFrequencyHz);
     if (!impedance) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 #include "model/tick.h"
@@ -38,15 +39,24 @@ double mean_variance(const std::vector<WindingSample>& samples) {
   return squares / (count * std::max(1.0, count - 1.0));
 }
 
+struct Sine {
+  Phasor phasor;
+  /// Standard errors of its two parts.
+  double real_error = 0.0, imaginary_error = 0.0;
+};
+
 /// Least-squares fit of x(t) = c + Re(P exp(i w t)).
-std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double omega,
+std::optional<Sine> fit_sine(const std::vector<WindingSample>& samples, double omega,
                              double WindingSample::*what) {
   // By default a `Mat3` is the unit matrix.
   model::Mat3 normal{{{}, {}, {}}};
   model::Vec3 right{};
+  const auto basis_at = [&](double t_s) {
+    const double angle = omega * (t_s - samples.front().t_s);
+    return model::Vec3{1.0, std::cos(angle), std::sin(angle)};
+  };
   for (const WindingSample& one : samples) {
-    const double angle = omega * (one.t_s - samples.front().t_s);
-    const model::Vec3 basis{1.0, std::cos(angle), std::sin(angle)};
+    const model::Vec3 basis = basis_at(one.t_s);
     for (std::size_t row = 0; row < 3; ++row)
       normal.row[row] = normal.row[row] + basis[static_cast<int>(row)] * basis;
     right = right + one.*what * basis;
@@ -54,8 +64,41 @@ std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double o
   const auto count = static_cast<double>(samples.size());
   // The sample times cannot separate sine and cosine.
   if (!(model::determinant(normal) > 1e-3 * count * count * count / 4.0)) return std::nullopt;
-  const model::Vec3 fitted = model::inverse(normal) * right;
-  return Phasor(fitted.y, -fitted.z);
+  const model::Mat3 covariance = model::inverse(normal);
+  const model::Vec3 fitted = covariance * right;
+  double squares = 0.0;
+  for (const WindingSample& one : samples)
+    squares += std::pow(one.*what - model::dot(fitted, basis_at(one.t_s)), 2.0);
+  const double variance = squares / std::max(1.0, count - 3.0);
+  return Sine{{fitted.y, -fitted.z},
+              std::sqrt(variance * covariance.row[1].y),
+              std::sqrt(variance * covariance.row[2].z)};
+}
+
+struct Response {
+  Sine current, voltage;
+  double omega = 0.0;
+};
+
+std::optional<Response> fit_response(const std::vector<WindingSample>& samples,
+                                     double frequency_hz) {
+  if (samples.size() < kMinSamples) return std::nullopt;
+  const double omega = 2.0 * std::numbers::pi * frequency_hz;
+  const auto current = fit_sine(samples, omega, &WindingSample::current_a);
+  const auto voltage = fit_sine(samples, omega, &WindingSample::voltage_v);
+  if (!current || !voltage) return std::nullopt;
+  return Response{*current, *voltage, omega};
+}
+
+std::optional<Impedance> impedance_of(const Phasor& current, const Phasor& voltage, double omega) {
+  // current = e * before + g * voltage, with e and g real: two equations.
+  const Phasor before = current * std::polar(1.0, -omega * model::kTickSeconds);
+  const double det = before.real() * voltage.imag() - before.imag() * voltage.real();
+  const double e = (current.real() * voltage.imag() - current.imag() * voltage.real()) / det;
+  const double g = (before.real() * current.imag() - before.imag() * current.real()) / det;
+  if (!(e > 0.0 && e < 1.0 && g > 0.0)) return std::nullopt;
+  const double resistance = (1.0 - e) / g;
+  return Impedance{resistance, -resistance * model::kTickSeconds / std::log(e)};
 }
 
 }  // namespace
@@ -82,19 +125,28 @@ double steady_resistance_error(const std::vector<WindingSample>& forth,
 
 std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,
                                         double frequency_hz) {
-  if (samples.size() < kMinSamples) return std::nullopt;
-  const double omega = 2.0 * std::numbers::pi * frequency_hz;
-  const auto current = phasor(samples, omega, &WindingSample::current_a);
-  const auto voltage = phasor(samples, omega, &WindingSample::voltage_v);
-  if (!current || !voltage) return std::nullopt;
-  // current = e * before + g * voltage, with e and g real: two equations.
-  const Phasor before = *current * std::polar(1.0, -omega * model::kTickSeconds);
-  const double det = before.real() * voltage->imag() - before.imag() * voltage->real();
-  const double e = (current->real() * voltage->imag() - current->imag() * voltage->real()) / det;
-  const double g = (before.real() * current->imag() - before.imag() * current->real()) / det;
-  if (!(e > 0.0 && e < 1.0 && g > 0.0)) return std::nullopt;
-  const double resistance = (1.0 - e) / g;
-  return Impedance{resistance, -resistance * model::kTickSeconds / std::log(e)};
+  const auto seen = fit_response(samples, frequency_hz);
+  if (!seen) return std::nullopt;
+  return impedance_of(seen->current.phasor, seen->voltage.phasor, seen->omega);
+}
+
+double inductance_error(const std::vector<WindingSample>& samples, double frequency_hz) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto seen = fit_response(samples, frequency_hz);
+  if (!seen) return kUnknown;
+  const auto& [current, voltage, omega] = *seen;
+  const auto fitted = impedance_of(current.phasor, voltage.phasor, omega);
+  if (!fitted) return kUnknown;
+  double squares = 0.0;
+  const auto add = [&](const std::optional<Impedance>& off) {
+    squares += off ? std::pow(off->inductance_h / fitted->inductance_h - 1.0, 2.0) : kUnknown;
+  };
+  // What each part of the two phasors adds when it is wrong by its standard error.
+  add(impedance_of(current.phasor + current.real_error, voltage.phasor, omega));
+  add(impedance_of(current.phasor + Phasor(0.0, current.imaginary_error), voltage.phasor, omega));
+  add(impedance_of(current.phasor, voltage.phasor + voltage.real_error, omega));
+  add(impedance_of(current.phasor, voltage.phasor + Phasor(0.0, voltage.imaginary_error), omega));
+  return std::sqrt(squares);
 }
 
 }  // namespace hedgehog::client

@@ -43,4 +43,8 @@ struct Impedance {
 std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,
                                         double frequency_hz);
 
+/// Relative standard error of that inductance, from the scatter of currents and voltages around
+/// their sines; infinite while there is no impedance.
+double inductance_error(const std::vector<WindingSample>& samples, double frequency_hz);
+
 }  // namespace hedgehog::client
