@@ -163,8 +163,7 @@ TEST_F(Study, AnUnpluggedBallVoidsTheTrialAndPausesUntilItReturns) {
 
 TEST_F(Study, AWarmBallCoolsBeforeATrialWouldBeReduced) {
   // 10 A at the start level; from about 40 °C on the skin limit allows less. In a room of 42 °C it
-  // always does, however late the first trial is. An unattended run waits for two minutes by the
-  // clock, in which the ball of a busy computer cools little: it begins no warmer than the room.
+  // always does, however late the first trial is.
   home_.configure(R"({"simulator": {"start_temperature_c": 42, "ambient_c": 42}})");
   plan("th", "1", quick_path());
   start_daemon(10);

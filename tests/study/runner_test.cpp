@@ -166,5 +166,40 @@ TEST_F(Pinned, ALostConnectionIsReestablished) {
   EXPECT_EQ(count_changes(), 0);
 }
 
+/// No experimenter, who could end the wait for the ball.
+class EmptyDesk : public Desk {
+ public:
+  void show(const View&) override {}
+  Input wait(std::chrono::milliseconds) override { return {}; }
+  bool unattended() const override { return true; }
+};
+
+TEST_F(Pinned, AnUnattendedRunWaitsForHalfAnHourOfTheBallsTimeForItToCool) {
+  constexpr std::int64_t kMinuteNs = 60'000'000'000;
+  json responses = fake_responses("0000000000000001");
+  responses["thermal.forecast"]["seconds_to_derating"] = 0.1;
+  std::atomic<int> minutes = 0;
+  FakeDaemon daemon(socket(), [&](FakePeer& peer) {
+    for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
+      const json request = json::parse(line);
+      const std::string method = request["method"];
+      if (!request.contains("id")) continue;
+      json result = method == "ping" ? json{{"time_ns", kMinuteNs}} : responses.at(method);
+      if (method == "device.status") result["time_ns"] = ++minutes * kMinuteNs;
+      peer.send_line(json{{"jsonrpc", "2.0"}, {"id", request["id"]}, {"result", result}}.dump());
+    }
+  });
+  client::Address address;
+  address.path = socket();
+  auto player = Player::open({address}, 5s, 20s);
+  ASSERT_TRUE(player) << player.error().message;
+  Journal journal = start_journal(*player);
+  EmptyDesk desk;
+  Runner runner(journal, *std::move(player), desk, [] { return false; });
+  EXPECT_EQ(runner.run().value(), RunEnd::kStuck);
+  EXPECT_EQ(minutes, 32) << "the first, thirty more, and one too late";
+  EXPECT_THAT(runner.stuck_reason(), testing::HasSubstr("cooling down"));
+}
+
 }  // namespace
 }  // namespace hedgehog::study

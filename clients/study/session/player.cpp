@@ -216,7 +216,7 @@ Outcome<Readiness> Player::readiness(const Experiment& experiment, const Trial& 
   }
   const std::string warm = status->temperature_c.model ? degrees(*status->temperature_c.model)
                                                        : std::string("no temperature");
-  if (status->derating) return Readiness{false, "the ball is derating at " + warm};
+  if (status->derating) return Readiness{false, "the ball is derating at " + warm, status->time_ns};
   // As if the stronger of the two intervals lasted for the whole trial.
   const Pattern& pattern = experiment.pattern;
   Stimulus strongest = trial.kind == TrialKind::kCatch ? Stimulus{0.0, pattern.speed_pins_s}
@@ -231,9 +231,10 @@ Outcome<Readiness> Player::readiness(const Experiment& experiment, const Trial& 
   const auto forecast = connection_.call(ask);
   if (!forecast) return forecast.error();
   if (forecast->seconds_to_derating && *forecast->seconds_to_derating < seconds) {
-    return Readiness{
-        false, fmt::format("at {} {:.1f} A would be reduced after {:.0f} s: cooling down", warm,
-                           strongest.current_a, *forecast->seconds_to_derating)};
+    return Readiness{false,
+                     fmt::format("at {} {:.1f} A would be reduced after {:.0f} s: cooling down",
+                                 warm, strongest.current_a, *forecast->seconds_to_derating),
+                     status->time_ns};
   }
   return Readiness{true, warm + ", next trial at full strength"};
 }

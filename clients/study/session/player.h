@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ namespace hedgehog::study {
 struct Readiness {
   bool ready = true;
   std::string why_not{};  // one sentence
+  /// The ball's time, if it becomes ready by cooling down.
+  std::optional<std::int64_t> cooling_at_ns{};
 };
 
 /// One thread. Holds a claim on the ball, renewed by `keep`, until destruction.

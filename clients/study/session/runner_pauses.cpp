@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The runner between two trials: waiting for the ball, the participants and the daemon.
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "clients/study/session/runner.h"
@@ -15,6 +18,25 @@ constexpr Milliseconds kStatusPoll{100};
 constexpr Milliseconds kReconnect{2000};
 // An unattended run limits its waiting time for a daemon or a ball.
 constexpr std::chrono::seconds kUnattendedTimeout{120};
+// Of the ball's time. In a room of 20 °C it cools from its limit to 40 °C in a third of that.
+constexpr std::chrono::minutes kUnattendedCooling{30};
+
+/// Whether an unattended run has waited for too long.
+class WaitingTime {
+ public:
+  bool is_over(const Readiness& now) {
+    if (!now.cooling_at_ns) return is_over();
+    since_ = steady_clock::now();
+    // Less after a restart of the daemon.
+    cooling_since_ns_ = std::min(cooling_since_ns_, *now.cooling_at_ns);
+    return std::chrono::nanoseconds(*now.cooling_at_ns - cooling_since_ns_) > kUnattendedCooling;
+  }
+  bool is_over() const { return steady_clock::now() - since_ > kUnattendedTimeout; }
+
+ private:
+  steady_clock::time_point since_ = steady_clock::now();
+  std::int64_t cooling_since_ns_ = std::numeric_limits<std::int64_t>::max();
+};
 
 }  // namespace
 
@@ -25,7 +47,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
   }
   bool waiting = false;
   bool lost_before = false;
-  const auto since = steady_clock::now();
+  WaitingTime waited;
   while (true) {
     if (auto seen = poll_input(Milliseconds{0}); !seen) return seen.error();
     if (stop_requested()) return stop_early();
@@ -36,8 +58,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     const auto ready = player_->readiness(journal_.run().header().experiment, trial);
     const bool refused = !ready && ready.error().failure == client::Failure::kRefused;
     if (!ready && !refused) {
-      if (desk_.unattended() && steady_clock::now() - since > kUnattendedTimeout)
-        return stuck(ready.error().message);
+      if (desk_.unattended() && waited.is_over()) return stuck(ready.error().message);
       if (std::exchange(lost_before, true)) {
         if (auto seen = poll_input(kReconnect); !seen) return seen.error();
       }
@@ -62,8 +83,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     // The request of this trial stays invalid, however long it waits.
     const bool is_permanent = refused && ready.error().refusal &&
                               ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
-    if (desk_.unattended() && (is_permanent || steady_clock::now() - since > kUnattendedTimeout))
-      return stuck(now.why_not);
+    if (desk_.unattended() && (is_permanent || waited.is_over(now))) return stuck(now.why_not);
     if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
     if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
   }
