@@ -11,7 +11,7 @@ daemon=
 # shellcheck disable=SC2317  # called by the trap
 clean_up() {
   if [ -n "$daemon" ]; then
-    kill "$daemon" 2>/dev/null || true
+    kill -KILL "$daemon" 2>/dev/null || true
     wait "$daemon" || true
   fi
   rm -rf "$work"

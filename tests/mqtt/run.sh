@@ -11,7 +11,7 @@ broker=
 # shellcheck disable=SC2317  # called by the trap
 clean_up() {
   if [ -n "$broker" ]; then
-    kill "$broker" 2>/dev/null || true
+    kill -KILL "$broker" 2>/dev/null || true
     wait "$broker" || true
   fi
   rm -rf "$work"

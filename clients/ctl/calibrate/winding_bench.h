@@ -37,8 +37,8 @@ class WindingBench {
   /// Waits until `t_s` of device time without current.
   Outcome<void> wait_until(double t_s);
   /// How long a current is measured once it has settled: for `take_s`, and beyond it until the
-  /// relative error of what is wanted of it, its mean or the inductance, is at most `max_error`, as
-  /// long as the current flows.
+  /// relative standard error of the measured quantity, the mean current or the inductance, is at
+  /// most `max_error`, as long as the current flows.
   struct Extent {
     double take_s = 0.0;
     double max_error = std::numeric_limits<double>::infinity();
@@ -53,7 +53,7 @@ class WindingBench {
   const std::optional<std::string>& tripped() const noexcept { return tripped_; }
 
  private:
-  /// Relative error of what is wanted of these samples.
+  /// Relative standard error of the measured quantity.
   using ErrorOf = std::function<double(const std::vector<WindingSample>&)>;
   /// An error if too few samples were received until `flows_until_s`, of device time.
   Outcome<WindingRecord> record(int coil, Extent extent, const ErrorOf& error_of,

@@ -41,8 +41,9 @@ double mean_variance(const std::vector<WindingSample>& samples) {
 
 struct Sine {
   Phasor phasor;
-  /// Standard errors of its two parts.
+  /// Standard errors of its two parts, and how these are correlated.
   double real_error = 0.0, imaginary_error = 0.0;
+  double correlation = 0.0;
 };
 
 /// Least-squares fit of x(t) = c + Re(P exp(i w t)).
@@ -70,9 +71,12 @@ std::optional<Sine> fit_sine(const std::vector<WindingSample>& samples, double o
   for (const WindingSample& one : samples)
     squares += std::pow(one.*what - model::dot(fitted, basis_at(one.t_s)), 2.0);
   const double variance = squares / std::max(1.0, count - 3.0);
+  const double cosine = std::sqrt(covariance.row[1].y);
+  const double sine = std::sqrt(covariance.row[2].z);
   return Sine{{fitted.y, -fitted.z},
-              std::sqrt(variance * covariance.row[1].y),
-              std::sqrt(variance * covariance.row[2].z)};
+              std::sqrt(variance) * cosine,
+              std::sqrt(variance) * sine,
+              -covariance.row[1].z / (cosine * sine)};
 }
 
 struct Response {
@@ -134,19 +138,25 @@ double inductance_error(const std::vector<WindingSample>& samples, double freque
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto seen = fit_response(samples, frequency_hz);
   if (!seen) return kUnknown;
-  const auto& [current, voltage, omega] = *seen;
+  const Sine& current = seen->current;
+  const Sine& voltage = seen->voltage;
+  const double omega = seen->omega;
   const auto fitted = impedance_of(current.phasor, voltage.phasor, omega);
   if (!fitted) return kUnknown;
-  double squares = 0.0;
-  const auto add = [&](const std::optional<Impedance>& off) {
-    squares += off ? std::pow(off->inductance_h / fitted->inductance_h - 1.0, 2.0) : kUnknown;
+  const auto change = [&](Phasor off_current, Phasor off_voltage) {
+    const auto off =
+        impedance_of(current.phasor + off_current, voltage.phasor + off_voltage, omega);
+    return off ? off->inductance_h / fitted->inductance_h - 1.0 : kUnknown;
   };
-  // What each part of the two phasors adds when it is wrong by its standard error.
-  add(impedance_of(current.phasor + current.real_error, voltage.phasor, omega));
-  add(impedance_of(current.phasor + Phasor(0.0, current.imaginary_error), voltage.phasor, omega));
-  add(impedance_of(current.phasor, voltage.phasor + voltage.real_error, omega));
-  add(impedance_of(current.phasor, voltage.phasor + Phasor(0.0, voltage.imaginary_error), omega));
-  return std::sqrt(squares);
+  const auto variance = [](double real, double imaginary, double correlation) {
+    if (std::isinf(real) || std::isinf(imaginary)) return kUnknown;
+    return real * real + imaginary * imaginary + 2.0 * correlation * real * imaginary;
+  };
+  // What the parts of the two phasors change when they are wrong by their standard errors.
+  return std::sqrt(variance(change(current.real_error, 0.0),
+                            change({0.0, current.imaginary_error}, 0.0), current.correlation) +
+                   variance(change(0.0, voltage.real_error),
+                            change(0.0, {0.0, voltage.imaginary_error}), voltage.correlation));
 }
 
 }  // namespace hedgehog::client

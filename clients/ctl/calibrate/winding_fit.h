@@ -44,7 +44,7 @@ std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& sample
                                         double frequency_hz);
 
 /// Relative standard error of that inductance, from the scatter of currents and voltages around
-/// their sines; infinite while there is no impedance.
+/// their sines; infinite without an impedance, or if one so much off has none.
 double inductance_error(const std::vector<WindingSample>& samples, double frequency_hz);
 
 }  // namespace hedgehog::client

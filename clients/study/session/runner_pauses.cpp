@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The runner between two trials: waiting for the ball, the participants and the daemon.
-#include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "clients/study/session/runner.h"
+#include "clients/study/session/waiting_time.h"
 
 namespace hedgehog::study {
 
@@ -16,27 +14,6 @@ using std::chrono::steady_clock;
 
 constexpr Milliseconds kStatusPoll{100};
 constexpr Milliseconds kReconnect{2000};
-// An unattended run limits its waiting time for a daemon or a ball.
-constexpr std::chrono::seconds kUnattendedTimeout{120};
-// Of the ball's time. In a room of 20 °C it cools from its limit to 40 °C in a third of that.
-constexpr std::chrono::minutes kUnattendedCooling{30};
-
-/// Whether an unattended run has waited for too long.
-class WaitingTime {
- public:
-  bool is_over(const Readiness& now) {
-    if (!now.cooling_at_ns) return is_over();
-    since_ = steady_clock::now();
-    // Less after a restart of the daemon.
-    cooling_since_ns_ = std::min(cooling_since_ns_, *now.cooling_at_ns);
-    return std::chrono::nanoseconds(*now.cooling_at_ns - cooling_since_ns_) > kUnattendedCooling;
-  }
-  bool is_over() const { return steady_clock::now() - since_ > kUnattendedTimeout; }
-
- private:
-  steady_clock::time_point since_ = steady_clock::now();
-  std::int64_t cooling_since_ns_ = std::numeric_limits<std::int64_t>::max();
-};
 
 }  // namespace
 
@@ -47,7 +24,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
   }
   bool waiting = false;
   bool lost_before = false;
-  WaitingTime waited;
+  WaitingTime waited(steady_clock::now());
   while (true) {
     if (auto seen = poll_input(Milliseconds{0}); !seen) return seen.error();
     if (stop_requested()) return stop_early();
@@ -58,7 +35,8 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     const auto ready = player_->readiness(journal_.run().header().experiment, trial);
     const bool refused = !ready && ready.error().failure == client::Failure::kRefused;
     if (!ready && !refused) {
-      if (desk_.unattended() && waited.is_over()) return stuck(ready.error().message);
+      if (desk_.unattended() && waited.is_over(steady_clock::now()))
+        return stuck(ready.error().message);
       if (std::exchange(lost_before, true)) {
         if (auto seen = poll_input(kReconnect); !seen) return seen.error();
       }
@@ -83,7 +61,10 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     // The request of this trial stays invalid, however long it waits.
     const bool is_permanent = refused && ready.error().refusal &&
                               ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
-    if (desk_.unattended() && (is_permanent || waited.is_over(now))) return stuck(now.why_not);
+    const auto clock = steady_clock::now();
+    const bool waited_enough = now.cooling_at_ns ? waited.is_over_cooling(clock, *now.cooling_at_ns)
+                                                 : waited.is_over(clock);
+    if (desk_.unattended() && (is_permanent || waited_enough)) return stuck(now.why_not);
     if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
     if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
   }
@@ -121,7 +102,7 @@ Result<Runner::Early> Runner::pause(Phase phase, const std::string& why) {
 Result<Runner::Early> Runner::reconnect(const std::string& why) {
   if (auto written = journal_.append(Remark{"paused", why}); !written) return written.error();
   player_.reset();
-  const auto since = steady_clock::now();
+  const WaitingTime waited(steady_clock::now());
   std::string waiting = why + "; waiting for the ball";
   while (true) {
     show(Phase::kPaused, 0, waiting);
@@ -142,7 +123,7 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
     }
     if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
     if (stop_requested()) return stop_early();
-    if (desk_.unattended() && steady_clock::now() - since > kUnattendedTimeout) return stuck(why);
+    if (desk_.unattended() && waited.is_over(steady_clock::now())) return stuck(why);
   }
   if (auto written = journal_.append(Remark{"continued", kBallReturned}); !written)
     return written.error();
