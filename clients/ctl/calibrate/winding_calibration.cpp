@@ -202,11 +202,11 @@ class Windings {
                  fixed(1000.0 * found_.inductance_h[i], 3).c_str());
     if (const double error = inductance_error(sine->samples, kFrequencyHz);
         error > kMaxInductanceError) {
-      std::fprintf(
-          text_,
-          "     The inductance has a standard deviation of %s %%: too little telemetry, or "
-          "a noisy current sensor.\n",
-          fixed(100.0 * error, 1).c_str());
+      const std::string percent = std::isinf(error) ? "unknown" : fixed(100.0 * error, 1) + " %";
+      std::fprintf(text_,
+                   "     The inductance's standard deviation is %s: too little telemetry, or a "
+                   "noisy current sensor.\n",
+                   percent.c_str());
     }
     if (std::abs(found_.r25_ohm[i] / before_.coils.r25_ohm[i] - 1.0) > kOdd) {
       std::fprintf(
