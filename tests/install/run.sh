@@ -12,7 +12,7 @@ daemon=
 clean_up() {
   if [ -n "$daemon" ]; then
     kill -KILL "$daemon" 2>/dev/null || true
-    wait "$daemon" || true
+    wait "$daemon" 2>/dev/null || true
   fi
   rm -rf "$work"
 }

@@ -12,7 +12,7 @@ broker=
 clean_up() {
   if [ -n "$broker" ]; then
     kill -KILL "$broker" 2>/dev/null || true
-    wait "$broker" || true
+    wait "$broker" 2>/dev/null || true
   fi
   rm -rf "$work"
 }
