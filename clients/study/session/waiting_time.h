@@ -9,8 +9,8 @@
 
 namespace hedgehog::study {
 
-/// Pure: told the time. Of a ball that cools down the ball's own time counts, as long as it passes:
-/// that of a simulated one may pass more slowly than the clock's.
+/// Pure: callers pass the time. For a ball that cools down its own time counts, as long as it
+/// passes: that of a simulated ball may pass more slowly than the clock's.
 class WaitingTime {
  public:
   using Clock = std::chrono::steady_clock;
