@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 
 #include "tests/clients/fake_daemon.h"
@@ -22,17 +23,19 @@ using client::FakeDaemon;
 using client::FakePeer;
 using nlohmann::json;
 
-/// Answers until the client requests `last` or disconnects; counts the requested circles.
+/// Answers until the client requests `last` or disconnects; counts the requested circles. Each
+/// status is a minute of the ball's time after the one before.
 FakeDaemon::Script daemon_of(json responses, std::string last, std::atomic<int>& circles) {
   return [=, &circles](FakePeer& peer) {
+    std::chrono::nanoseconds now{};
     for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
       const json request = json::parse(line);
       const std::string method = request["method"];
       circles += method == "effect.circle" ? 1 : 0;
       if (method == last) return;
       if (!request.contains("id")) continue;
-      const json result =
-          method == "ping" ? json{{"time_ns", 1'000'000'000}} : responses.at(method);
+      json result = method == "ping" ? json{{"time_ns", 1'000'000'000}} : responses.at(method);
+      if (method == "device.status") result["time_ns"] = (now += 1min).count();
       peer.send_line(json{{"jsonrpc", "2.0"}, {"id", request["id"]}, {"result", result}}.dump());
     }
   };
@@ -166,29 +169,22 @@ TEST_F(Pinned, ALostConnectionIsReestablished) {
   EXPECT_EQ(count_changes(), 0);
 }
 
-/// No experimenter, who could end the wait for the ball.
+/// No experimenter, who could end the wait for the ball; counts the views of a paused run.
 class EmptyDesk : public Desk {
  public:
-  void show(const View&) override {}
+  void show(const View& view) override { pauses_ += view.phase == Phase::kPaused ? 1 : 0; }
   Input wait(std::chrono::milliseconds) override { return {}; }
   bool unattended() const override { return true; }
+  int pauses() const { return pauses_; }
+
+ private:
+  int pauses_ = 0;
 };
 
 TEST_F(Pinned, AnUnattendedRunWaitsForHalfAnHourOfTheBallsTimeForItToCool) {
-  constexpr std::int64_t kMinuteNs = 60'000'000'000;
   json responses = fake_responses("0000000000000001");
   responses["thermal.forecast"]["seconds_to_derating"] = 0.1;
-  std::atomic<int> minutes = 0;
-  FakeDaemon daemon(socket(), [&](FakePeer& peer) {
-    for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
-      const json request = json::parse(line);
-      const std::string method = request["method"];
-      if (!request.contains("id")) continue;
-      json result = method == "ping" ? json{{"time_ns", kMinuteNs}} : responses.at(method);
-      if (method == "device.status") result["time_ns"] = ++minutes * kMinuteNs;
-      peer.send_line(json{{"jsonrpc", "2.0"}, {"id", request["id"]}, {"result", result}}.dump());
-    }
-  });
+  FakeDaemon daemon(socket(), daemon_of(responses, "effect.circle", before_));
   client::Address address;
   address.path = socket();
   auto player = Player::open({address}, 5s, 20s);
@@ -197,7 +193,7 @@ TEST_F(Pinned, AnUnattendedRunWaitsForHalfAnHourOfTheBallsTimeForItToCool) {
   EmptyDesk desk;
   Runner runner(journal, *std::move(player), desk, [] { return false; });
   EXPECT_EQ(runner.run().value(), RunEnd::kStuck);
-  EXPECT_EQ(minutes, 32) << "the first, thirty more, and one too late";
+  EXPECT_EQ(desk.pauses(), 32) << "the first minute, thirty more, and one too late";
   EXPECT_THAT(runner.stuck_reason(), testing::HasSubstr("cooling down"));
 }
 

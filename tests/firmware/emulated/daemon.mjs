@@ -62,7 +62,7 @@ export class DaemonOnBoard {
     daemon.child = spawn(place(join(programs, 'daemon', 'hedgehogd'), daemon.folder),
       ['--simulate', '--speed', String(speed), '--listen', '127.0.0.1:0'],
       { env: daemon.environment, stdio: ['ignore', 'pipe', 'pipe'] });
-    // Of the board too: it inherits the standard error, and writes to the trace until it ends.
+    // The board, which writes to its trace until its end, keeps the daemon's standard error open.
     daemon.child.on('close', () => { daemon.hasEnded = true; });
     daemon.log = '';
     daemon.child.stderr.on('data', (bytes) => { daemon.log += bytes; });
@@ -126,16 +126,19 @@ export class DaemonOnBoard {
 
   /** Stops the daemon and waits until the board, which then makes itself safe, has ended too; returns its whole trace. */
   async stop(signal = 'SIGTERM') {
-    this.child.kill(signal);
-    await eventually('daemon and board end', () => this.hasEnded);
+    await this.end(signal);
     assert.equal(this.trace().at(-1)?.event, 'exit', this.log);
     return this.trace();
   }
 
+  async end(signal) {
+    this.child.kill(signal);
+    await eventually('daemon and board end', () => this.hasEnded);
+  }
+
   async close() {
     this.ball?.close();
-    this.child.kill('SIGKILL');
-    await eventually('daemon and board end', () => this.hasEnded);
+    await this.end('SIGKILL');
     rmSync(this.folder, { recursive: true, force: true });
   }
 }
