@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# node_test.sh TIMEOUT_MS ARG...: `node --test ARG...`, in which a test that takes longer than TIMEOUT_MS fails. Node.js has that
-# limit since 20.11; with an older one, like that of Debian 12, the run as a whole is ended (exit 124) after HEDGEHOG_NODE_TESTS
-# (20) times as long.
+# node_test.sh TIMEOUT_MS ARG...: `node --test ARG...`, in which a file whose tests take longer than TIMEOUT_MS altogether fails.
+# Node.js has that limit since 20.11; with an older one, like that of Debian 12, the run as a whole is ended (exit 124) after
+# HEDGEHOG_NODE_TESTS (20) times as long.
 set -eu
 
 [ $# -ge 2 ] || { echo "node_test.sh TIMEOUT_MS ARG..." >&2; exit 64; }
