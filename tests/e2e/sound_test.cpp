@@ -38,7 +38,9 @@ class SoundPlay : public testing::Test {
   }
 
   Home home_;
-  DaemonProcess daemon_{home_};
+  // In lock-step: when the daemon stalls, the time of the ball stops too. Otherwise an effect then
+  // begins late and, played in full, overlaps the next one.
+  DaemonProcess daemon_{home_, {"--speed", "1"}};
   RawClient other_{daemon_.port()};
 };
 

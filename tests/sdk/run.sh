@@ -13,7 +13,7 @@ HEDGEHOG_CONFORMANCE_TABLE=$(mktemp)
 export HEDGEHOG_CONFORMANCE_TABLE
 trap 'rm -f "$HEDGEHOG_CONFORMANCE_TABLE"' EXIT
 export HEDGEHOG_SLOW_NAMES=$build/tests/sdk/slow_names.so
-# Terminates a command that hangs, with its child processes; each test has a shorter time limit of its own.
+# Terminates a command that hangs, with its child processes; the tests have shorter time limits of their own.
 bounded() {
   timeout --kill-after=10 1800 "$@" || {
     local result=$?

@@ -73,13 +73,14 @@ export class Daemon {
     return counts.filter(([, name]) => name === outcome).reduce((sum, [, , count]) => sum + Number(count), 0);
   }
 
-  /** `keep`: keeps its folders for the next daemon. */
+  /** Also removes the folders of a daemon that ended by itself. `keep`: keeps them for the next daemon. */
   async end(signal = "SIGTERM", { keep = false } = {}) {
-    if (this.process.exitCode !== null || this.process.signalCode !== null) return;
-    const ended = new Promise((resolve) => this.process.once("exit", resolve));
-    this.process.kill("SIGCONT"); // a test that fails may leave it stopped
-    this.process.kill(signal);
-    await ended;
+    if (this.process.exitCode === null && this.process.signalCode === null) {
+      const ended = new Promise((resolve) => this.process.once("exit", resolve));
+      this.process.kill("SIGCONT"); // a test that fails may leave it stopped
+      this.process.kill(signal);
+      await ended;
+    }
     if (!keep) rmSync(this.home, { recursive: true, force: true });
   }
 }
